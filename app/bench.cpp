@@ -45,7 +45,7 @@ std::vector<ShellCase> chosen_cases(const BenchOptions& options) {
     throw Error(fmt::format("--only {}: no case has this in its name; there are:{}", options.only, names));
 }
 
-/// Quickly: the two coarser meshes, unstructured, of coupled hinges.
+/// The variants of a case; with --quick the two coarser meshes, unstructured, with coupled hinges.
 std::vector<ShellVariant> variants_of(const ShellCase& one, const BenchOptions& options) {
     std::vector<ShellVariant> variants;
     if (options.quick) return {{one.edges[0]}, {one.edges[1]}};
@@ -144,7 +144,8 @@ int bench_fracture(const BenchOptions& options) {
 /// A table with its figure.
 using Experiment = std::pair<Json, std::string>;
 
-/// Does the experiment, and writes its figure if one is asked for: whether it can be is known before.
+/// Runs an experiment, and writes its figure if one is asked for. Throws Error before the experiment if the
+/// figure cannot be written.
 int bench_speed(const BenchOptions& options, const std::function<Experiment()>& experiment) {
     std::optional<OutputLock> lock;
     if (!options.figure.empty()) {
@@ -175,7 +176,7 @@ int bench_cracking(const BenchOptions& options) {
     return bench_speed(options, [&] { return cracking(options.only, options.quick, !options.json); });
 }
 
-/// What `sherd bench` can be asked for.
+/// A benchmark of `sherd bench`.
 struct Bench {
     const char* name;
     const char* description;

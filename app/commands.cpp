@@ -41,8 +41,8 @@ void require_no_input(const std::filesystem::path& output, const Scene& scene) {
 
 namespace {
 
-/// Where a scene's text comes from, for errors and as the folder of files that it names: what comes through a
-/// pipe, as from /dev/stdin, names them from the working folder.
+/// Origin of a scene's text, for errors and for the folder of the files that it names. Through a pipe, as
+/// from /dev/stdin, files are named from the working folder.
 std::filesystem::path origin_of(const std::filesystem::path& file) {
     return std::filesystem::is_fifo(file) ? "pipe" : file;
 }
@@ -50,7 +50,7 @@ std::filesystem::path origin_of(const std::filesystem::path& file) {
 }  // namespace
 
 std::vector<Scene> read_scenes(const SceneOptions& options) {
-    const std::string text = read_scene_text(options.file);  // once: a pipe has it only once
+    const std::string text = read_scene_text(options.file);  // once: a pipe cannot be read again
     const std::filesystem::path file = origin_of(options.file);
     const std::vector<std::string> names = variant_names(text, file);
     if (names.empty() || !options.choice.variant.empty()) return {parse_scene(text, file, options.choice)};

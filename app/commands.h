@@ -13,10 +13,11 @@ namespace sherd {
 
 struct Scene;
 
-/// What the chosen subcommand does once the command line is parsed; returns the exit code.
+/// Runs the chosen subcommand once the command line is parsed; returns the exit code.
 using Command = std::function<int()>;
 
-/// Each adds its subcommand to `program`; parsing it sets `chosen`, which must outlive the parsing.
+/// Functions that each add a subcommand to `program`. Parsing it sets `chosen`, which must outlive the
+/// parsing.
 void add_run(CLI::App& program, Command& chosen);
 void add_sweep(CLI::App& program, Command& chosen);
 void add_check(CLI::App& program, Command& chosen);
@@ -32,28 +33,29 @@ void add_plot(CLI::App& program, Command& chosen);
 void add_view(CLI::App& program, Command& chosen);
 void add_mesh(CLI::App& program, Command& chosen);
 void add_scenes(CLI::App& program, Command& chosen);
-/// What they print is made of `program` as it is when they run, with all of its commands.
+/// Subcommands that print a text made from all commands that `program` has when they run.
 void add_completion(CLI::App& program, Command& chosen);
 void add_manual(CLI::App& program, Command& chosen);
 
-/// A scene as the command line gives it: its file has been found (find_scene).
+/// Choice of a scene on the command line. `file` is as found by find_scene().
 struct SceneOptions {
     std::filesystem::path file;
     SceneChoice choice;
 };
 
-/// Adds SCENE.toml, --variant and --set to a subcommand; `options` must outlive the parsing, which throws
-/// Error when there is no such scene.
+/// Adds SCENE.toml, --variant and --set to a subcommand. `options` must outlive the parsing, which throws
+/// Error if there is no such scene.
 void add_scene_options(CLI::App& command, SceneOptions& options);
 
-/// NAME.ext becomes NAME-PART.ext: a file of one variant, or of one sheet. Without a part it stays as it is.
+/// Returns NAME-PART.ext for NAME.ext, for a file of one variant or of one sheet; `file` itself without a
+/// part.
 std::filesystem::path part_file(const std::filesystem::path& file, const std::string& part);
 
-/// Throws Error when `output` is the scene's file or a mesh that it reads: not even --force may replace them.
+/// Throws Error if `output` is the scene's file or a mesh that it reads, which not even --force may replace.
 void require_no_input(const std::filesystem::path& output, const Scene& scene);
 
-/// The scene in the variant that is asked for; else in each of its variants, or as it is when it has none.
-/// Throws Error with the mistakes of all of them.
+/// Reads the scene in the chosen variant; without one, in each of its variants, or as it is if it has none.
+/// Throws Error with the mistakes of all variants.
 std::vector<Scene> read_scenes(const SceneOptions& options);
 
 }  // namespace sherd

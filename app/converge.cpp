@@ -21,7 +21,7 @@ struct ConvergeOptions {
     bool json = false;
 };
 
-/// What was halved, and what the three runs came to.
+/// The quantity that was halved, and the outcomes of the three runs.
 struct Series {
     std::string of;
     std::array<Outcome, 3> runs;
@@ -30,7 +30,7 @@ struct Series {
         return convergence({runs[0].quantities[quantity].value, runs[1].quantities[quantity].value,
                             runs[2].quantities[quantity].value});
     }
-    /// A limit load, the last one, may not be in all of them.
+    /// Number of quantities that all runs have: the last one, a limit load, may be missing in some.
     std::size_t quantities() const {
         return std::min({runs[0].quantities.size(), runs[1].quantities.size(), runs[2].quantities.size()});
     }

@@ -58,7 +58,8 @@ OutputLock checked_output(const CutOptions& options) {
     return lock;
 }
 
-/// Edges of the mesh to open. Along lines they are made; what this took is added to `told`.
+/// Edges of the mesh to open. With --line they are inserted, and the changes of the mesh are reported in
+/// `told`.
 std::vector<Edge> edges_to_open(const CutOptions& options, Mesh& mesh, Json& told) {
     if (options.line.empty()) return read_edge_list(options.edges, mesh);
     LineCut lines(mesh, options.keep_vertices);

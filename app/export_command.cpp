@@ -31,7 +31,7 @@ int print_export(const ExportOptions& options) {
     }
 }
 
-/// "obj|ply|..."
+/// Names of all formats, as "obj|ply|...".
 std::string format_words() {
     std::string words = export_format_names();
     for (std::size_t at = words.find(", "); at != std::string::npos; at = words.find(", "))

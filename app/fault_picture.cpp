@@ -36,11 +36,11 @@ constexpr std::array<FaultColour, 8> colours{
      {FaultKind::too_near, {255, 140, 0, 255}, "orange: too near to another face"},
      {FaultKind::crossing, {220, 20, 20, 255}, "red: crosses or touches another face"}}};
 
-/// Triangles on their way into the picture, and the worst fault of each.
+/// Triangles of the picture, and the worst fault of each.
 struct Picture {
     std::vector<std::array<Vector3d, 3>> triangles;
     std::vector<std::optional<FaultKind>> faults;
-    std::vector<std::string> undrawn = {};  ///< sheets that nothing is known of
+    std::vector<std::string> undrawn = {};  ///< sheets whose mesh cannot be made
 
     void add(const TriangleSheet& sheet, const Eigen::Affine3d& place) {
         for (const auto& [a, b, c] : sheet.triangles)
@@ -58,7 +58,7 @@ FaultKind kind_of(TriangleFault fault) {
     return fault == TriangleFault::repeated ? FaultKind::repeated : FaultKind::non_manifold;
 }
 
-/// A sheet whose mesh was refused.
+/// Adds a sheet whose mesh was refused.
 void add_refused(const SheetSpec& sheet, Picture& picture) {
     const auto* spec = std::get_if<MeshFile>(&sheet.mesh);
     if (!spec) return picture.undrawn.push_back(sheet.name);
@@ -70,7 +70,7 @@ void add_refused(const SheetSpec& sheet, Picture& picture) {
         for (std::size_t t = 0; t < mesh.faults.size(); ++t)
             if (mesh.faults[t] != TriangleFault::none) picture.mark(first + t, kind_of(mesh.faults[t]));
     } catch (const Error&) {
-        picture.undrawn.push_back(sheet.name);  // `check` says why the file cannot be read
+        picture.undrawn.push_back(sheet.name);  // `check` reports why the file cannot be read
     }
 }
 
@@ -78,7 +78,7 @@ Picture picture_of(const Scene& scene) {
     Picture picture;
     std::vector<SheetInput> inputs;
     std::vector<std::size_t> first_face;
-    std::vector<std::string> told;  // by `check`
+    std::vector<std::string> told;  // not printed: `check` does so
     for (const SheetSpec& sheet : scene.sheets) try {
             inputs.push_back(make_sheet(sheet, scene, told));
             first_face.push_back(picture.triangles.size());
@@ -91,7 +91,7 @@ Picture picture_of(const Scene& scene) {
         for (const StartFault& fault : start_faults(scene, inputs, BreakableShell(inputs)))
             picture.mark(first_face[fault.sheet] + static_cast<std::size_t>(fault.face), fault.kind);
     } catch (const Error&) {
-        // An obstacle that cannot be made is in nobody's way; `check` says why.
+        // Obstacles that cannot be made are left out; `check` reports why.
     }
     return picture;
 }
@@ -103,7 +103,7 @@ TriangleSheet painted(const Picture& picture) {
         for (const FaultColour& known : colours)
             if (picture.faults[t] == known.kind) colour = known.colour;
         const auto first = static_cast<std::int32_t>(sheet.points.size());
-        // Programs that show no colours of faces show those of points, which only one face may have then.
+        // Programs that ignore the colours of faces show those of points, so no points are shared.
         for (const Vector3d& corner : picture.triangles[t]) {
             sheet.points.push_back(corner);
             sheet.point_colour.push_back(colour);

@@ -37,7 +37,7 @@ std::vector<SheetInfo> sheets_of(const RecordingHeader& header, const Snapshot& 
     return sheets;
 }
 
-/// None without faces. A NaN wins: the frame is worthless.
+/// The largest strain; none without faces. A NaN counts as the largest: the frame is invalid.
 std::optional<MembraneStrainInfo> largest_membrane_strain(const Snapshot& frame) {
     std::optional<MembraneStrainInfo> largest;
     for (std::size_t f = 0; f < frame.faces.size(); ++f) {
@@ -73,7 +73,7 @@ void add_steps(RunInfo& info, const std::vector<StepReport>& steps) {
     }
 }
 
-/// Takes a principal value when it is the first one, or larger in magnitude.
+/// Replaces `largest` by a principal value if it is the first, or larger in magnitude.
 void raise_magnitude(std::optional<double>& largest, const Vector3d& strain) {
     const double value = principal_strain(strain);
     if (!largest || std::abs(value) > std::abs(*largest)) largest = value;
@@ -96,7 +96,7 @@ void add_gauges(RunInfo& info, const RecordingHeader& header, const std::vector<
     }
 }
 
-/// The frames that have such a field, one after the other.
+/// Adds the peaks of fields in all frames that have them.
 void add_fields(RunInfo& info, const Recording& recording) {
     const auto raise = [](std::optional<FieldPeakInfo>& largest, const FieldPeak& peak, double time) {
         if (!largest || std::abs(peak.value) > std::abs(largest->peak.value)) largest = {peak, time};
@@ -229,7 +229,7 @@ void add_field_peaks(std::string& text, const RunInfo& info) {
                        moment_words(fmt::format("{:.5g}", curvature->time), info.time_unit));
 }
 
-/// What there is to say of a recording of modes instead of a run.
+/// Adds the list of modes, for a recording of modes instead of a run.
 void add_mode_list(std::string& text, const RunInfo& info) {
     auto out = std::back_inserter(text);
     fmt::format_to(out, "modes        {} of vibration; the times of the frames are not physical\n",
@@ -244,7 +244,7 @@ struct InfoOptions {
     double over = 0;  ///< kg
     std::string about;
     std::vector<double> radii;       ///< m
-    std::filesystem::path distance;  ///< of another recording; empty: none
+    std::filesystem::path distance;  ///< another recording for fragment_distance(); empty: none
 };
 
 CrackCentre centre_of(const InfoOptions& options) {

@@ -13,20 +13,21 @@
 
 namespace sherd {
 
-/// The face that is stretched or squeezed most.
+/// The face with the largest membrane strain.
 struct MembraneStrainInfo {
     double strain = 0;  ///< principal Green strain of largest magnitude, signed
     std::size_t face = 0;
 };
 
-/// Where and when a field of faces was largest, of all frames.
+/// Largest value of a field of faces in all frames, with its place and time.
 struct FieldPeakInfo {
     FieldPeak peak;
     double time = 0;  ///< s
 };
 
-/// What a gauge showed: at the last step, and the largest of all steps. Of stress that is the largest
-/// principal one of both surfaces, of curvature and strain the principal one of largest magnitude, signed.
+/// Readings of a gauge: at the last step, and the largest of all steps. For stress this is the largest
+/// principal stress of both surfaces, for curvature and strain the principal value of largest magnitude,
+/// signed.
 struct GaugeInfo {
     RecordedGauge gauge;
     GaugeReading last = {};
@@ -40,7 +41,7 @@ struct SheetInfo {
     double area = 0;  ///< m^2, at rest
 };
 
-/// What happened in a run, as `sherd info` tells it; of a run that goes on, what happened so far.
+/// Summary of a run for `sherd info`; while the run continues, up to its last frame.
 struct RunInfo {
     std::string scene_file, end;
     std::string mended;  ///< Recording::mended()
@@ -48,32 +49,32 @@ struct RunInfo {
     std::string time_unit = "s";  ///< RecordingHeader::time_unit
     LoadHistory load;             ///< factor of all loads
     double wall_seconds = 0;
-    std::size_t frames = 0, vertices = 0, faces = 0;  ///< of the last frame, or at rest when there is none
+    std::size_t frames = 0, vertices = 0, faces = 0;  ///< in the last frame, or at rest without one
     std::size_t failures = 0, openings = 0, splits = 0, vertex_births = 0, face_births = 0;
     std::vector<SheetInfo> sheets;                      ///< none before the first frame
     std::vector<FragmentInfo> fragments;                ///< by id; none before the first frame
     std::optional<MembraneStrainInfo> membrane_strain;  ///< in the last frame, if there is one
     std::optional<FieldPeakInfo> stress, curvature;  ///< largest_stress(), largest_curvature(), if recorded
-    std::vector<RecordedSupport> supports;           ///< whose reactions `last` has
+    std::vector<RecordedSupport> supports;           ///< in the order of last->reactions
     std::vector<GaugeInfo> gauges;
-    std::vector<TipInfo> tips;           ///< of cracks by toughness
-    std::vector<RecordedMode> modes;     ///< of vibration, if it is these that the frames show
+    std::vector<TipInfo> tips;           ///< tips of cracks by toughness
+    std::vector<RecordedMode> modes;     ///< modes of vibration, if the frames show them
     std::optional<StepReport> last;      ///< the last step, if there was one
-    bool has_balance = true;             ///< whether it has a balance of energy: Recording::has_balance()
-    std::int64_t newton_iterations = 0;  ///< of all steps
+    bool has_balance = true;             ///< Recording::has_balance()
+    std::int64_t newton_iterations = 0;  ///< sum over all steps
     std::size_t capped_steps = 0;
     Index halvings = 0;
-    Index most_stages = 0;  ///< of breaking in one step
-    StepReport peaks;       ///< only its peaks: the largest of the whole run
+    Index most_stages = 0;  ///< largest number in one step
+    StepReport peaks;       ///< only the peaks are set: the largest of all steps
 };
 
-/// Throws Error (input) when `file` is missing, not a recording or damaged.
+/// Reads the summary of a recording. Throws Error (input) if `file` is missing, not a recording or damaged.
 RunInfo read_run_info(const std::filesystem::path& file);
 
-/// One JSON object; its keys are described in app/README.md. A number that is not finite becomes null.
+/// JSON object with the keys of app/README.md. A number that is not finite becomes null.
 std::string run_info_json(const RunInfo& info);
 
-/// The same for people to read.
+/// The summary as text.
 std::string run_info_text(const RunInfo& info);
 
 }  // namespace sherd

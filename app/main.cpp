@@ -22,14 +22,14 @@ namespace {
 constexpr int done = 0, failed = 1, bad_input = 2;
 
 /// Arrays of whole sheets come and go in every step. Given back to the system each time, their pages would
-/// have to be cleared and mapped anew, which takes as long as what is done with them.
+/// have to be cleared and mapped again, which takes as long as what is done with them.
 void keep_freed_memory() {
     constexpr int largest_kept = 1 << 27, most_kept = 1 << 30;  // bytes
     ::mallopt(M_MMAP_THRESHOLD, largest_kept);
     ::mallopt(M_TRIM_THRESHOLD, most_kept);
 }
 
-/// A standard stream that was closed is one that cannot be written: no file may take its number.
+/// Makes a standard stream that was closed one that cannot be written: no file may get its number.
 void keep_standard_streams() {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", O_RDONLY);
@@ -44,7 +44,7 @@ int report(std::string_view message, int exit_code) {
     return exit_code;
 }
 
-/// Says so if not.
+/// Whether all results could be written; reports an error if not.
 bool results_are_written() {
     if (sherd::finish_results()) return true;
     report("cannot write to standard output", failed);
@@ -70,7 +70,7 @@ int run(const sherd::Command& command) {
 int main(int argc, char** argv) {
     keep_freed_memory();
     keep_standard_streams();
-    std::signal(SIGPIPE, SIG_IGN);  // whoever reads what is printed does not end a run by going away
+    std::signal(SIGPIPE, SIG_IGN);  // a closed pipe on stdout does not end a run
     std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error like a full disk
     sherd::end_on_interruption();
     CLI::App program(

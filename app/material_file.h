@@ -9,10 +9,10 @@
 
 namespace sherd {
 
-/// What a file says of a material by itself, without a scene.
+/// Contents of a material file, without a scene.
 struct MaterialFile {
     Material material;
-    MaterialAxis axis;                        ///< of a material that has directions
+    MaterialAxis axis;                        ///< axis of a directional material
     std::optional<double> bending_stiffness;  ///< lambda of every hinge instead of the material's, N m
 };
 

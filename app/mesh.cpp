@@ -25,12 +25,12 @@ namespace fs = std::filesystem;
 
 struct MeshOptions {
     SceneOptions scene;
-    std::string sheet;  ///< its name; empty: all
+    std::string sheet;  ///< name of one sheet; empty: all
     fs::path output;
     bool placed = false, force = false;
 };
 
-/// A mesh and the file that it goes to.
+/// A mesh and the file to write it to.
 struct MeshJob {
     TriangleSheet sheet;
     fs::path file;
@@ -66,7 +66,8 @@ TriangleSheet made(const SheetSpec& sheet, const Scene& scene, bool placed) {
     return mesh;
 }
 
-/// One file, with an object for each sheet where the format has objects; else a file for each.
+/// The files to write: one, with an object for each sheet, if the format has objects; else one for each
+/// sheet.
 std::vector<MeshJob> jobs_of(const Scene& scene, const MeshOptions& options) {
     const std::vector<const SheetSpec*> sheets = chosen_sheets(scene, options.sheet);
     const fs::path file = part_file(options.output, scene.variant);

@@ -51,7 +51,7 @@ void warn_of_modes(const Scene& scene, const SceneModes& modes) {
             "instead of vibrating");
 }
 
-/// One scene, or one variant. Returns false after an interruption.
+/// Prints and records the modes of one scene or variant. Returns false after an interruption.
 bool print_modes(const Scene& scene, const ModesOptions& options, Json& json) {
     std::optional<RecordingOutput> output;
     if (!options.output.empty()) {
@@ -80,7 +80,7 @@ bool print_modes(const Scene& scene, const ModesOptions& options, Json& json) {
 
 int print_all_modes(const ModesOptions& options) {
     const std::vector<Scene> scenes = read_scenes(options.scene);
-    if (!options.output.empty())  // of any of them, before the first is looked at
+    if (!options.output.empty())  // check all outputs before the first computation
         for (const Scene& scene : scenes)
             const RecordingOutput free(part_file(options.output, scene.variant), options.force);
     Json json = Json::array();
@@ -92,7 +92,7 @@ int print_all_modes(const ModesOptions& options) {
         }
     }
     const bool several = options.scene.choice.variant.empty() && !scenes.front().variant.empty();
-    if (options.json)  // not before all is done, since it is one object
+    if (options.json)  // at the end, since the output is one JSON value
         print_result("{}\n",
                      (several ? json : json.front()).dump(2, ' ', false, Json::error_handler_t::replace));
     return 0;

@@ -19,7 +19,7 @@ constexpr const char* times_of_modes =
 
 RecordingHeader modes_header(const Scene& scene, const Simulation& simulation) {
     RecordingHeader header = recording_header(scene, simulation);
-    header.supports.clear();  // what has a value at each step has none here
+    header.supports.clear();  // there are no steps, and so no values for each step
     header.gauges.clear();
     return header;
 }
@@ -36,7 +36,7 @@ double shown_amplitude(const Positions& start, double share) {
     return share * (start.rowwise().maxCoeff() - start.rowwise().minCoeff()).norm();
 }
 
-/// A shell that is displaced by one mode after the other.
+/// A shell that is displaced by a mode.
 class ModePlayer {
   public:
     ModePlayer(const Simulation& simulation, const ModeFrames& frames)
@@ -46,7 +46,7 @@ class ModePlayer {
           frames(frames),
           amplitude(shown_amplitude(start, frames.amplitude)) {}
 
-    /// Mode `number`, from 1, in the frame of that number, from 0, of its period.
+    /// The shell in mode `number`, from 1, at frame `frame`, from 0, of its period.
     Snapshot snapshot(std::size_t number, const Positions& shape, int frame) {
         const double turns = static_cast<double>(frame) / frames.a_mode, angle = 2 * std::numbers::pi * turns;
         const Positions scaled = amplitude / shape.colwise().norm().maxCoeff() * shape;
@@ -78,7 +78,7 @@ bool record_modes(RecordingOutput output, const Scene& scene, const Simulation& 
     Progress progress(static_cast<double>(all.size()));
     for (std::size_t i = 0; i < all.size(); ++i) {
         progress.show(static_cast<double>(i), fmt::format("mode {} of {}", i + 1, all.size()));
-        // The last one ends where its period does; the others go on as the next one.
+        // The last mode has a frame at the end of its period; for the others the next mode begins there.
         const int last = frames.a_mode - (i + 1 < all.size() ? 1 : 0);
         for (int frame = 0; frame <= last; ++frame) {
             if (interrupted()) {

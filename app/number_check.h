@@ -8,16 +8,16 @@
 
 namespace sherd {
 
-/// A check for CLI::Option::check: returns the error for the text that an option was given, or nothing.
+/// A check for CLI::Option::check: returns the error for the text given to an option, or an empty string.
 using NumberCheck = std::function<std::string(const std::string&)>;
 
-/// A whole number, all of the text.
+/// Accepts text that is a whole number from `least` to `most`.
 NumberCheck whole_number(std::int64_t least, std::int64_t most = std::numeric_limits<std::int32_t>::max());
-/// A finite number, all of the text, from `least` to `most`.
+/// Accepts text that is a finite number from `least` to `most`.
 NumberCheck number_within(double least, double most);
-/// A finite number of 0 or more.
+/// Accepts a finite number of 0 or more.
 NumberCheck not_negative_number();
-/// A finite number above 0.
+/// Accepts a finite number above 0.
 NumberCheck positive_number();
 
 }  // namespace sherd

@@ -24,7 +24,7 @@ const char* words(Measure measure) {
     }
 }
 
-/// One digit, not above x > 0.
+/// Rounds x > 0 down to one significant digit.
 double rounded_down(double x) {
     const double digit = std::pow(10.0, std::floor(std::log10(x)));
     return std::floor(x / digit) * digit;

@@ -10,26 +10,27 @@
 
 namespace sherd {
 
-/// What the hinges of one sheet bore in a run, by one measure.
+/// Peaks of the hinges of one sheet in a run, by one measure.
 struct PeakRow {
-    std::string name;           ///< of the sheet
-    std::string measure;        ///< what it is, with its unit
-    std::vector<double> peaks;  ///< of each hinge, ascending
+    std::string name;           ///< name of the sheet
+    std::string measure;        ///< name of the measure, with its unit
+    std::vector<double> peaks;  ///< peaks of all hinges, ascending
 };
 
-/// For each sheet of a run in which nothing broke, in the scene's order: by the measure that it is judged by,
-/// divided by what scatter, maps, scores and directions make of the threshold, so that a hinge is over a
-/// threshold exactly if it would have broken with it; of a sheet that cannot break by stress and by strain.
+/// Rows for each sheet of a run in which nothing failed, in the scene's order: by the measure of the sheet's
+/// strength, divided by the factor of scatter, maps, scores and directions on the strength, so that a peak
+/// exceeds a threshold exactly if the hinge would have failed with this threshold. A sheet that cannot fail
+/// has rows by stress and by strain.
 std::vector<PeakRow> peak_rows(const Scene& scene, const Simulation& simulation);
 
-/// The least value that this share of them does not exceed; peaks: ascending, at least one.
+/// The smallest peak that this share of the peaks does not exceed. peaks: ascending, at least one.
 double quantile(std::span<const double> peaks, double share);
 
-/// Up to three thresholds of one digit, descending, each of which some hinges are over: about one of a
-/// thousand, of a hundred, and of ten.
+/// Up to three thresholds of one significant digit, descending, which some hinges exceed: about one in a
+/// thousand, in a hundred, and in ten.
 std::vector<double> round_thresholds(std::span<const double> peaks);
 
-/// Quantiles of the rows, and how many hinges would have been over thresholds of round numbers, as a table.
+/// Table of quantiles of the rows, and of the number of hinges above round thresholds.
 std::string peak_table(std::span<const PeakRow> rows);
 
 }  // namespace sherd

@@ -57,7 +57,7 @@ Chart elastic_chart(const std::vector<StepReport>& steps) {
     return chart;
 }
 
-/// Where the energy went, and what came from outside: what is zero throughout has no line.
+/// Work and losses; a quantity that is zero throughout has no line.
 Chart balance_chart(const std::vector<StepReport>& steps) {
     Chart chart{"Work and losses since the start", time_axis, {.name = "energy", .unit = "J"}, {}};
     const auto add = [&](const char* name, const char* colour, const Value& value) {
@@ -93,8 +93,8 @@ Chart strain_chart(const std::vector<StepReport>& steps) {
     return chart;
 }
 
-/// A line for each of the first names, as many as can be told apart and have room above the chart:
-/// value(step, number) of each step. which: what the first ones are, in words.
+/// Adds a line, value(step, number) over the steps, for each of the first names: as many as have distinct
+/// colours and room in the legend. which: word for the order of the names.
 template <class ValueOf>
 Chart chart_of_names(Chart chart, const std::vector<StepReport>& steps, const std::vector<std::string>& names,
                      ValueOf value, const char* which = "first") {
@@ -124,7 +124,8 @@ Chart reaction_chart(const RecordingHeader& header, const std::vector<StepReport
                           });
 }
 
-/// Adds a chart of the gauges that have a column of the recording, if there are any. value: of a reading.
+/// Adds a chart of the gauges for which `column` is recorded, if there are any. value: computes a point from
+/// a reading.
 template <class ValueOf>
 void add_gauge_chart(std::vector<Chart>& charts, const RecordingHeader& header,
                      const std::vector<StepReport>& steps, const char* column, Chart chart, ValueOf value) {
@@ -158,7 +159,8 @@ void add_gauge_charts(std::vector<Chart>& charts, const RecordingHeader& header,
                     [](const Reading& reading) { return principal_strain(reading.membrane_strain); });
 }
 
-/// Adds charts of the tips of cracks that were recorded in most steps: what they bear, and how fast they are.
+/// Adds charts of the release rate and speed of crack tips, for the tips that were recorded in the most
+/// steps.
 void add_tip_charts(std::vector<Chart>& charts, const std::vector<StepReport>& steps,
                     std::span<const TipRecord> records) {
     constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
@@ -183,7 +185,7 @@ void add_tip_charts(std::vector<Chart>& charts, const std::vector<StepReport>& s
         [](const TipRecord& tip) { return tip.speed; });
 }
 
-/// Of statics: the load over the displacement of each gauge.
+/// Load over displacement of each gauge, in statics.
 Chart load_chart(const RecordingHeader& header, const std::vector<StepReport>& steps) {
     Chart chart{"Load factor over displacement",
                 {.name = "displacement", .unit = "m", .from_zero = true},
@@ -215,8 +217,8 @@ std::string heading(const Recording& recording, const RecordingHeader& header, c
 
 struct PlotOptions {
     std::filesystem::path input, output;
-    StudyAxes axes;   ///< of a study's table
-    std::string log;  ///< of it: "x", "y" or "xy"
+    StudyAxes axes;   ///< axes, for the table of a study
+    std::string log;  ///< logarithmic ones: "x", "y" or "xy"
     bool force = false;
 };
 

@@ -12,16 +12,16 @@
 
 namespace sherd {
 
-/// Two shapes of one sheet. The deformed one is looked up by vertex, so that it may be as distorted as it
-/// likes.
+/// Two shapes of one sheet. The deformed one has positions of vertices only, so it may be distorted
+/// arbitrarily.
 struct ProbeShapes {
     Mesh rest;
-    std::vector<Index> file_vertex;  ///< of each vertex of `rest`, its number in the file, from 0
-    Positions deformed;              ///< [3, V] m, of the V vertices of the rest shape's file
+    std::vector<Index> file_vertex;  ///< number in the file of each vertex of `rest`, from 0
+    Positions deformed;              ///< [3, V] m, for the V vertices of the rest shape's file
 };
 
-/// Reads both shapes (.obj, .ply, .off, .stl). Throws Error as read_mesh does, and when the files' lists of
-/// faces differ, naming the first face that does.
+/// Reads both shapes (.obj, .ply, .off, .stl). Throws Error like read_mesh, and if the files' lists of faces
+/// differ, naming the first face that does.
 ProbeShapes read_probe_shapes(const std::filesystem::path& rest, const std::filesystem::path& deformed,
                               std::vector<std::string>& warnings);
 
@@ -44,26 +44,26 @@ struct ProbedFace {
     double strain = 0;  ///< principal Green strain of largest magnitude
 };
 
-/// What the models say of a deformed sheet. All vertices are numbered as in the rest shape's file.
+/// Energies, forces and strains of a deformed sheet. All vertices are numbered as in the rest shape's file.
 struct Probe {
     std::vector<ProbedEnergy> energies;
     std::vector<ProbedHinge> hinges;
     std::vector<ProbedFace> faces;
-    FaceFields fields;  ///< as coupled hinges see the faces, the stress from the material's constants
+    FaceFields fields;  ///< curvature by coupled hinges, stress by the material's constants
 };
 
-/// Throws Error (input) as material_axes does, and naming the vertices of a hinge or face where an energy or
-/// force is not a finite number.
+/// Evaluates all models. Throws Error (input) like material_axes, and, naming the vertices of a hinge or
+/// face, if an energy or force is not a finite number.
 Probe probe(const ProbeShapes& shapes, const MaterialFile& material, std::vector<std::string>& warnings);
 
-/// One JSON object; its keys are described in app/README.md.
+/// JSON object with the keys of app/README.md.
 std::string probe_json(const Probe& probe);
 
-/// The same for people to read.
+/// The results as text.
 std::string probe_text(const Probe& probe);
 
-/// Writes forces, hinges and fields of faces to an HDF5 file; its datasets are described in app/README.md.
-/// Throws Error (input) when `file` exists and not `force`, (run) when it cannot be written.
+/// Writes forces, hinges and fields of faces to an HDF5 file with the datasets of app/README.md. Throws Error
+/// (input) if `file` exists and not `force`, (run) if it cannot be written.
 void write_probe(const Probe& probe, const std::filesystem::path& file, bool force);
 
 }  // namespace sherd

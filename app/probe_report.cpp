@@ -20,7 +20,7 @@
 namespace sherd {
 namespace {
 
-/// The first element of largest strain, the row it stands in; none when there are no elements.
+/// Index of the first element of largest strain; none without elements.
 template <class Element>
 std::optional<std::size_t> most_strained(const std::vector<Element>& elements) {
     const auto less = [](const Element& a, const Element& b) {

@@ -29,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Two numbers with `separator` between, nothing else.
+/// Reads two numbers, and nothing else. format: of sscanf(), with %n at the end.
 template <class Number>
 std::optional<std::pair<Number, Number>> parse_pair(const std::string& text, const char* format) {
     std::pair<Number, Number> pair;
@@ -73,8 +73,8 @@ StageOptions stage_options(const RenderOptions& options, const PictureOptions& p
     return stage;
 }
 
-/// Of each picture; none when only a film is wanted. Those of a film are numbered by themselves, under
-/// another name than those of frames.
+/// The file of each picture; none if only a film is asked for. Pictures of a film have numbers of their own,
+/// and a name that differs from that of frames.
 std::vector<fs::path> planned_files(const RenderOptions& options, const std::vector<Moment>& moments) {
     if (options.output.empty()) {
         if (options.film.empty()) throw Error("nothing to draw into: give -o PATH, or --film FILE.mp4");
@@ -93,8 +93,8 @@ std::vector<fs::path> planned_files(const RenderOptions& options, const std::vec
     return files;
 }
 
-/// What is drawn: the chosen frames, or the moments of a film from the first of them to the last; `pace`
-/// tells how fast that is.
+/// The moments to draw: the chosen frames, or moments at equal intervals from the first to the last of them
+/// for a film. `pace` is set to the speed of the film, in words.
 std::vector<Moment> planned_moments(const RenderOptions& options, const Recording& recording,
                                     std::string& pace) {
     const bool film = !options.film.empty();
@@ -116,7 +116,8 @@ void check_pace(const RenderOptions& options) {
             fmt::format("{} has a meaning with --film only", options.slow.factor ? "--slow" : "--rate"));
 }
 
-/// What is locked while pictures are drawn: the one, or the name that all have without their number.
+/// The name to lock while pictures are drawn: the single file, or the common name of all without their
+/// numbers.
 fs::path whole_output(const RenderOptions& options) {
     if (options.output.extension() == ".png") return options.output;
     return options.output / fmt::format("{}.png", options.recording.stem().string());
@@ -128,7 +129,7 @@ void write_whole(const fs::path& file, const std::string& bytes, const OutputLoc
     pending.publish(force);
 }
 
-/// Writes what the colours of numbers mean, and which moment it is, into a picture.
+/// Draws a colour bar, and a caption with the time, into a picture of a scalar.
 void annotate(Image& image, const RenderStage& stage, const Snapshot& frame, const RenderOptions& options) {
     const std::optional<ColourBar> bar = stage.colour_bar();
     if (!bar || options.plain || !has_room_for_bar(image.width, image.height)) return;
@@ -136,7 +137,7 @@ void annotate(Image& image, const RenderStage& stage, const Snapshot& frame, con
     draw_caption(image, stage.caption(frame));
 }
 
-/// Draws the pictures one after the other.
+/// Draws all pictures, in sequence.
 void draw_all(const Recording& recording, const RenderStage& stage, const std::vector<Moment>& moments,
               const std::vector<fs::path>& files, const RenderOptions& options, const OutputLock* lock,
               RenderFilm* film, Rendering& result) {

@@ -27,7 +27,7 @@
 namespace sherd {
 namespace {
 
-/// Ctrl-C and SIGTERM end the run after the step that is going on.
+/// Ends the run after the current step on Ctrl-C or SIGTERM.
 class EndOnInterruption : public RunObserver {
   public:
     explicit EndOnInterruption(bool is_part) {
@@ -61,7 +61,8 @@ Runner built_runner(const Scene& scene, int threads) {
     return Runner(scene, std::move(built));
 }
 
-/// What a run goes on with, frames where it had them included.
+/// The scene with which a run is resumed: with the frame interval of the checkpoint, unless it is set
+/// explicitly.
 Scene scene_from(Scene scene, const std::optional<Checkpoint>& checkpoint) {
     if (checkpoint && !scene.settings.contains("output.every"))
         scene.frame_interval = checkpoint->frame_interval;
@@ -72,8 +73,8 @@ void say_that_nothing_is_left(const std::filesystem::path& file, double time, co
     print_message("sherd: '{}' has come to {:g} {}: nothing is left to do\n", file.string(), time, unit);
 }
 
-/// Says that a run goes on, and makes its recording what it was then; or says that nothing is left to do.
-/// Returns whether there is.
+/// Reports that a run is resumed, and prepares its recording; or reports that nothing is left to do. Returns
+/// whether the run is resumed.
 bool goes_on(const std::filesystem::path& file, const Runner& runner, const EndAt& end,
              RunRecorder& recorder) {
     const double now = runner.simulation().time();
@@ -163,7 +164,7 @@ void add_run(CLI::App& program, Command& chosen) {
         ->check(whole_number(1))
         ->capture_default_str();
     command->add_option("--progress-to", options->progress_to, "Descriptor for reports to this program")
-        ->group("");  // not for people, and not shown to them
+        ->group("");  // internal, so not in the help
     command->footer("Example:\n  sherd run plate_drop -o plate.h5 --set duration=0.02");
     command->callback([&chosen, options] { chosen = [options] { return run(*options); }; });
 }

@@ -20,11 +20,11 @@ namespace sherd {
 namespace {
 
 constexpr int most_steps = 3;
-constexpr double patience = 3;  // s after which no other step is tried
+constexpr double patience = 3;  // s, after which no further step is tried
 constexpr double day = 86400;   // s
 
-/// Bytes, of what a simulation of unbroken sheets takes, most of it the factors of Newton's matrix: measured
-/// on plates of 2,739 and 10,359 faces, without contact.
+/// Memory, bytes, of a simulation of unfractured sheets, most of it the factors of Newton's matrix: fitted to
+/// plates of 2,739 and 10,359 faces, without contact.
 double guessed_memory(double faces) {
     return 40e6 + 900 * faces * std::log2(std::max(2.0, faces));
 }
@@ -85,10 +85,11 @@ TriedSteps try_steps(const Scene& scene, BuiltScene built) {
             const double begin = seconds();
             const StepReport report = runner.step();
             raise_peaks(tried.peaks, report);
-            // One that was halved is only a part of a step of the scene.
+            // A halved step is only part of a step of the scene.
             const double whole = (seconds() - begin) * scene.solver.step / report.step_size;
             if (tried.count++ == 0) tried.first = whole;
-            // The cheapest: the first one sets up the solver, and few steps of a run break anything.
+            // The cheapest counts: the first step sets up the solver, and in few steps of a run anything
+            // fails.
             tried.later = std::min(tried.later, whole);
         }
     } catch (const std::exception& error) {

@@ -11,37 +11,37 @@
 
 namespace sherd {
 
-/// The first steps of a scene, done to see what one takes.
+/// Measurement of the first steps of a scene.
 struct TriedSteps {
     int count = 0;
-    double first = 0, later = 0;  ///< s of wall time, of the first step and of one of those that follow
-    std::string failure;          ///< why a step could not be done; empty: all could
-    StepReport peaks;             ///< of these steps: raise_peaks()
+    double first = 0, later = 0;  ///< s of wall time for the first step and for each later one
+    std::string failure;          ///< reason for which a step failed; empty: none did
+    StepReport peaks;             ///< largest of these steps: raise_peaks()
 };
 
-/// What a run will take.
+/// Estimated cost of a run.
 struct RunCost {
     std::int64_t steps = 0, frames = 0;
-    double recording = 0;       ///< bytes, of the unbroken mesh
-    double seconds = 0;         ///< of wall time; 0 when nothing was tried
-    double memory = 0;          ///< bytes, guessed from the size of the mesh
-    double peak_memory = 0;     ///< bytes, of this program so far; 0 when nothing was tried
+    double recording = 0;       ///< bytes, for the unfractured mesh
+    double seconds = 0;         ///< s of wall time; 0 without trial steps
+    double memory = 0;          ///< bytes, estimated from the size of the mesh
+    double peak_memory = 0;     ///< bytes, of this program so far; 0 without trial steps
     double machine_memory = 0;  ///< bytes
 };
 
-/// What can be said without a step.
+/// Estimates the cost without trial steps.
 RunCost run_cost(const Scene& scene, const BuiltScene& built);
 
-/// Does up to three steps, and begins none after some seconds.
+/// Does up to three steps, and starts none after some seconds.
 TriedSteps try_steps(const Scene& scene, BuiltScene built);
 
-/// Adds what was seen in trying.
+/// Adds the measurements of trial steps.
 void add(RunCost& cost, const TriedSteps& tried);
 
-/// For people.
+/// The cost as text.
 std::string cost_lines(const RunCost& cost);
 
-/// Warns of more than a day, and of more memory than the machine has.
+/// Adds warnings if a run will take more than a day, or more memory than the machine has.
 void warn_of_cost(const Scene& scene, const RunCost& cost, std::vector<std::string>& warnings);
 
 }  // namespace sherd

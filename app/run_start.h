@@ -9,20 +9,20 @@
 
 namespace sherd {
 
-/// Where a run begins.
+/// The start of a run.
 struct RunStart {
     RecordingOutput output;
-    std::optional<Checkpoint> checkpoint;  ///< none: at the beginning
-    bool is_finished = false;              ///< the recording is complete, and has no checkpoint
+    std::optional<Checkpoint> checkpoint;  ///< none: the run starts at its beginning
+    bool is_finished = false;              ///< whether the recording is complete, and has no checkpoint
 };
 
-/// Decides where a run into `file` begins, and says so on stderr when that is not what --resume asks for:
-/// where no recording is there yet, or one without a frame, the run begins anew. Throws Error (input) when
-/// there is a recording but no checkpoint of it, or the other way round.
+/// Finds the start of a run that is recorded in `file`. With --resume but no recording, or one without a
+/// frame, the run starts at its beginning, and a message says so. Throws Error (input) if, with --resume,
+/// there is an incomplete recording without a checkpoint, or a checkpoint without its recording.
 RunStart run_start(const std::filesystem::path& file, const RunOptions& options);
 
-/// Throws Error (input) unless the complete recording in `file` is of the whole of the run, which ends at
-/// `end_time`.
+/// Throws Error (input) unless the complete recording in `file` is of this scene and covers the whole run,
+/// which ends at `end_time`.
 void require_whole(const std::filesystem::path& file, const Scene& scene, double end_time);
 
 }  // namespace sherd

@@ -41,7 +41,7 @@ void add_yield(std::string& text, const RunTotals& totals, const Scene& scene) {
                     keeps ? "" : "; here it springs back"));
 }
 
-/// How many steps there were, and how long: those that were halved or cut are shorter than the scene's.
+/// Number and size of the steps; steps that were halved or cut are shorter than the scene's.
 std::string step_words(const RunTotals& totals, const Scene& scene, const char* unit) {
     constexpr double rounding = 1e-9;
     const double whole = static_cast<double>(totals.last.step) * scene.solver.step;
@@ -55,7 +55,8 @@ std::string load_words(const LoadHistory& load) {
     return words;
 }
 
-/// How long, how often and why explicit steps were made between implicit ones, and how often they could not.
+/// Duration, number and causes of the phases of explicit steps between implicit ones, and the number of times
+/// that explicit steps failed.
 std::string explicit_words(const RunTotals& totals) {
     constexpr std::array<std::pair<Urgency, const char*>, 5> names{{{Urgency::strike, "strikes"},
                                                                     {Urgency::stress, "stress"},
@@ -74,7 +75,8 @@ std::string explicit_words(const RunTotals& totals) {
     return words;
 }
 
-/// Time schemes take energy, or are not right for what happens in a step.
+/// Adds a row if the time scheme has increased the energy: it should only dissipate, so it does not suit the
+/// scene.
 void add_made_energy(std::string& text, const RunTotals& totals, const Scene& scene) {
     constexpr double much = 0.1;  // share of the largest energy
     const double made = -totals.last.lost_to_scheme;

@@ -11,8 +11,8 @@
 
 namespace sherd {
 
-/// The table that a run ends with, for people. When nothing broke it has the peaks of the hinges, and where
-/// nothing touched an obstacle its name.
+/// The table that is printed at the end of a run. It includes the peaks of the hinges if nothing failed, and
+/// the names of obstacles that nothing touched.
 std::string run_summary(const RunTotals& totals, const RunEnd& end, const std::filesystem::path& recording,
                         const Scene& scene, const Simulation& simulation);
 

@@ -25,9 +25,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int poll_interval = 50;  // ms until an interruption is seen
+constexpr int poll_interval = 50;  // ms, longest delay until an interruption is noticed
 
-/// What all recordings have in their names: the name that a scene without variants would get.
+/// The common part of all recordings' names: the name for a scene without variants.
 fs::path common_output(const Scene& first, const RunOptions& options) {
     if (options.output.extension() == ".h5") return options.output;
     return options.output / fmt::format("{}.h5", first.file.stem().string());
@@ -57,17 +57,17 @@ std::vector<std::string> arguments_of(const std::string& variant, const fs::path
     return arguments;
 }
 
-/// Runs variants side by side, each in a process of its own, and shows how far they are.
+/// Runs variants in parallel, each in a process of its own, and shows their progress.
 class VariantRunner {
   public:
     VariantRunner(std::span<const Scene> variants, std::span<const fs::path> files, const RunOptions& options)
         : variants(variants), files(files), options(options), display(longest_name(variants)) {}
 
-    /// Returns the names of those that failed, after all have ended.
+    /// Returns the names of the failed variants, after all have ended.
     std::vector<std::string> run();
-    /// Whether an interruption has ended them.
+    /// Whether an interruption has ended the variants.
     bool stopped = false;
-    /// How many have not been run to their end.
+    /// Number of variants that have not been run to their end.
     std::size_t left() const { return variants.size() - complete; }
 
   private:
@@ -84,7 +84,7 @@ class VariantRunner {
     const RunOptions& options;
     ProgressDisplay display;
     std::list<ChildRun> running;
-    std::size_t next = 0;  ///< of the variants
+    std::size_t next = 0;  ///< next variant to start
     std::size_t complete = 0;
     std::vector<std::string> failed;
 };
@@ -120,7 +120,7 @@ void VariantRunner::listen() {
             ++run;
             continue;
         }
-        show();  // its last tenth
+        show();  // the last progress of the variant
         finish(*run);
         run = running.erase(run);
     }
@@ -171,7 +171,7 @@ int run_variants(std::span<const Scene> variants, const RunOptions& options) {
     const fs::path common = common_output(variants.front(), options);
     const std::vector<fs::path> files = recordings(variants, common);
     make_folder(common.parent_path());
-    const OutputLock lock(common);  // each process locks its own recording, when its turn has come
+    const OutputLock lock(common);  // each process locks its own recording once it is started
     for (const fs::path& file : files) RecordingOutput(file, options.force || options.resume);
     watch_for_interruption();
     VariantRunner runner(variants, files, options);

@@ -23,13 +23,13 @@ struct ScenesOptions {
     bool force = false, json = false;
 };
 
-/// Columns of the terminal on stdout; 0 when it is none.
+/// Number of columns of the terminal on stdout; 0 if stdout is no terminal.
 std::size_t terminal_columns() {
     winsize size{};
     return isatty(STDOUT_FILENO) != 0 && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
 }
 
-/// `text` in lines of at most `width` characters where words allow it, those after the first indented.
+/// Wraps `text` to lines of at most `width` characters where words allow it, indented after the first.
 std::string wrapped(std::string text, std::size_t width, std::size_t indent) {
     for (std::size_t begin = 0; text.size() - begin > width;) {
         const std::size_t space = text.rfind(' ', begin + width);

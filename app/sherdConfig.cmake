@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# find_package(sherd): the libraries sherd::meshops, sherd::core and sherd::fracture; of the program, sherd::scene (reads
-# scenes and makes simulations of them), sherd::recording (writes and reads recordings) and sherd::run (runs scenes).
+# find_package(sherd) defines the libraries sherd::meshops, sherd::core and sherd::fracture, and from the program
+# sherd::scene (reads scenes and builds simulations), sherd::recording (writes and reads recordings) and sherd::run
+# (runs scenes).
 include(CMakeFindDependencyMacro)
 list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
 find_dependency(Eigen3 3.4)
@@ -8,7 +9,7 @@ find_dependency(CGAL)
 find_dependency(CHOLMOD)
 find_dependency(TBB)
 find_dependency(OpenVDB 10)
-# CMake looks for HDF5 by compiling a program in C.
+# CMake finds HDF5 by compiling a C program.
 if(NOT CMAKE_C_COMPILER_LOADED)
     enable_language(C)
 endif()

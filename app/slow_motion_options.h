@@ -8,9 +8,9 @@
 
 namespace sherd {
 
-void add_slow_motion_option(CLI::App& command, std::optional<double>& factor);  ///< --slow
+void add_slow_motion_option(CLI::App& command, std::optional<double>& factor);  ///< adds --slow
 
-/// --slow and --rate; rate_words: what the rate is of.
+/// Adds --slow and --rate. rate_words: description of the rate.
 void add_slow_motion_options(CLI::App& command, SlowMotion& motion, const char* rate_words);
 
 }  // namespace sherd

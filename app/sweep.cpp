@@ -33,13 +33,13 @@ namespace fs = std::filesystem;
 /// The command line of `sherd sweep`.
 struct SweepOptions {
     fs::path study, folder;
-    int jobs = 0;  ///< 0: as many as the processor runs at once; of a task of Slurm, 1
+    int jobs = 0;  ///< 0: as many as the processor runs at once; in a task of Slurm, 1
     bool quick = false, retry = false, slurm = false, status = false, collect = false;
     std::string rows;  ///< FIRST-LAST; empty: all
     SlurmOptions on_slurm;
 };
 
-/// A study, its folder, and how far it is.
+/// A study, its rows and its folder.
 struct Sweep {
     explicit Sweep(const SweepOptions& options)
         : study(read_study(find_study(options.study), options.quick)),
@@ -51,7 +51,7 @@ struct Sweep {
     fs::path folder;
 };
 
-/// [first, behind the last) of FIRST-LAST.
+/// Reads FIRST-LAST as the half-open range [FIRST, LAST + 1). Throws Error unless it has rows of the study.
 std::pair<std::size_t, std::size_t> row_range(const std::string& text, std::size_t count) {
     if (text.empty()) return {0, count};
     const std::vector<std::string> ends = split(text, '-');
@@ -75,7 +75,7 @@ std::vector<std::size_t> rows_to_run(const Sweep& sweep, const SweepState& state
     return wanted;
 }
 
-/// Says what was found of an earlier sweep into the folder.
+/// Reports the results of earlier sweeps in the folder.
 void tell_of_before(const SweepState& state, const StudyRows& rows, const fs::path& folder, bool retry) {
     if (state.done > 0)
         print_message("sherd: {} of {} rows are done already\n", state.done, rows.rows.size());
@@ -99,7 +99,7 @@ std::string rows_words(const SweepState& state, std::size_t count) {
                        state.failed.size(), count - state.done - state.failed.size());
 }
 
-/// Runs what is left of some rows. Returns whether it was not interrupted.
+/// Runs the missing ones of the chosen rows. Returns false if it was interrupted.
 bool run_rows(const Sweep& sweep, const SweepOptions& options) {
     const auto [begin, end] = row_range(options.rows, sweep.rows.rows.size());
     const fs::path file = journal_file(sweep.folder, begin, end);
@@ -119,7 +119,7 @@ bool run_rows(const Sweep& sweep, const SweepOptions& options) {
     return !runner.stopped;
 }
 
-/// Says how the sweep has ended, and returns the exit code.
+/// Reports the end of the sweep, and returns the exit code.
 int end_of_sweep(const Sweep& sweep, bool complete) {
     const RowResults results = results_in(sweep.folder);
     const SweepState state = sweep_state(sweep.rows, results);
@@ -137,7 +137,8 @@ int end_of_sweep(const Sweep& sweep, bool complete) {
     return 0;
 }
 
-/// What a row takes, by the first steps of the first and the last one on this machine: the larger of both.
+/// Cost of a row, estimated by the first steps of the first and the last missing row on this machine: the
+/// larger of both.
 RowCost estimated_row_cost(const StudyRows& rows, const std::vector<std::size_t>& missing) {
     RowCost largest;
     for (const std::size_t row : {missing.front(), missing.back()}) {
@@ -153,7 +154,7 @@ RowCost estimated_row_cost(const StudyRows& rows, const std::vector<std::size_t>
     return largest;
 }
 
-/// What the study asks Slurm for, and the command line over it.
+/// The study's options for Slurm, overridden by those of the command line.
 SlurmOptions slurm_options(SlurmOptions slurm, const SlurmOptions& given) {
     for (std::string SlurmOptions::*text :
          {&SlurmOptions::partition, &SlurmOptions::account, &SlurmOptions::time, &SlurmOptions::memory})

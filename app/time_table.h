@@ -7,8 +7,8 @@
 
 namespace sherd {
 
-/// A table of what the wall time of a run went into, in s and in shares of the whole. recording: s, on
-/// writing it; whole: s, of the run.
+/// Table of the wall time of a run by task, in s and as a share of the whole. recording: s, spent on writing
+/// it; whole: s, of the run.
 std::string time_table(const TimeSpent& spent, double recording, double whole);
 
 }  // namespace sherd

@@ -10,21 +10,21 @@
 
 namespace sherd {
 
-/// What became of the tip of a crack.
+/// History of a crack tip.
 struct TipInfo {
     TipRecord first, last;
     double fastest = 0;  ///< m/s
     double largest = 0;  ///< J/m^2, energy released
 };
 
-/// Of all tips in a table of them, by number.
+/// Histories of all tips in a list of records, by number.
 std::vector<TipInfo> tips_of(std::span<const TipRecord> records);
 
-/// Appends a table with a row for each tip, of those that bore most at first if there are many, and a word on
-/// the others. Nothing is appended without any.
+/// Appends a table with a row for each tip; if there are many, only for those with the largest release rate,
+/// and the number of the others. Appends nothing without tips.
 void add_tip_table(std::string& text, std::vector<TipInfo> tips, const std::string& time_unit);
 
-/// The same for scripts.
+/// The histories as a JSON array.
 Json tips_json(std::span<const TipInfo> tips);
 
 }  // namespace sherd

@@ -28,7 +28,7 @@ std::string hint(const std::string& nearest) {
     return nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest);
 }
 
-/// What is wrong with a word that no command or option takes.
+/// Error for a word that is no command, option or argument, with the nearest known name.
 std::string unknown_word(const CLI::App& program, const std::string& word) {
     const std::vector<CLI::App*> chosen = program.get_subcommands();
     const CLI::App& command = chosen.empty() ? program : *chosen.front();
@@ -48,7 +48,7 @@ std::string unknown_word(const CLI::App& program, const std::string& word) {
 std::string usage_message(const CLI::App* program, const CLI::Error& error) {
     const std::vector<std::string> left = program->remaining(true);
     std::string text;
-    // An option that is missing may be the one that was misspelt: both are told.
+    // A missing option may have been misspelt, so both errors are reported.
     if (left.empty() || error.get_exit_code() != static_cast<int>(CLI::ExitCodes::ExtrasError))
         text += fmt::format("sherd: error: {}\n", error.what());
     if (left.size() > 1 && left.front() == "--")

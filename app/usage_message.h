@@ -6,8 +6,8 @@
 
 namespace sherd {
 
-/// What to print when the command line cannot be understood: what is wrong with it, with the nearest name of
-/// a command or option that is not known, and where to read more. A CLI::FailureMessage.
+/// Message on an invalid command line: the error, the nearest name to an unknown command or option, and a
+/// reference to --help. Usable as CLI::App::failure_message().
 std::string usage_message(const CLI::App* program, const CLI::Error& error);
 
 }  // namespace sherd

@@ -26,7 +26,7 @@
 namespace sherd {
 namespace {
 
-/// JSON that may stand in a script element, whatever the scene is called.
+/// JSON that is safe in a script element, whatever the names in the scene.
 std::string script_json(const PageJson& data) {
     std::string text = data.dump(-1, ' ', false, PageJson::error_handler_t::replace);
     for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at))
@@ -34,7 +34,7 @@ std::string script_json(const PageJson& data) {
     return text;
 }
 
-using Filling = std::pair<std::string_view, std::string_view>;  ///< %NAME% and what takes its place
+using Filling = std::pair<std::string_view, std::string_view>;  ///< %NAME% and its replacement
 
 std::string filled(std::string_view page, std::initializer_list<Filling> fillings) {
     std::string text;
@@ -55,13 +55,13 @@ std::string filled(std::string_view page, std::initializer_list<Filling> filling
     return text;
 }
 
-// About what a vertex takes in the page: in each frame, and its two faces once, in base64.
+// Approximate size of a vertex in the page, in base64: in each frame, and its two faces once.
 constexpr double frame_bytes = (3 * 2 + 1 + 1) * 4 / 3.0, face_bytes = 2 * (3 + 1 + 1) * 4 * 4 / 3.0;
-constexpr double point_bytes = 3 * 4 * 4 / 3.0;  // in a frame, of an obstacle that deforms
-// Rather than leave out more frames, the mesh is thinned.
+constexpr double point_bytes = 3 * 4 * 4 / 3.0;  // per frame, for an obstacle that deforms
+// The mesh is thinned if fewer frames than this fit.
 constexpr std::size_t enough_frames = 20;
 
-/// None when enough frames fit into so many bytes as they are.
+/// The thinning with which enough frames fit into `most_bytes`; none if they do without.
 std::optional<MeshThinning> thinning_for(const Recording& recording, double most_bytes) {
     const RecordingHeader header = recording.header();
     const Snapshot last = recording.frame(recording.frame_count() - 1);
@@ -77,8 +77,8 @@ std::optional<MeshThinning> thinning_for(const Recording& recording, double most
     }
 }
 
-/// None where the recording says nothing of it or, with a warning, where the mesh is thinned or there is no
-/// room for it beside enough frames. Its pictures get a quarter of the bytes at most.
+/// Materials and colours for the page; none if the recording has none or, with a warning, if the mesh is
+/// thinned or they do not fit beside enough frames. Texture pictures get at most a quarter of the bytes.
 std::optional<PageLook> look_for(const Recording& recording, const Snapshot& last, bool thinned,
                                  double most_bytes, std::vector<std::string>& warnings) {
     const SurfaceLook look = recording.header().rest_look;
@@ -96,7 +96,7 @@ std::optional<PageLook> look_for(const Recording& recording, const Snapshot& las
     return std::nullopt;
 }
 
-/// Of the obstacles that have other ones in each frame.
+/// Number of points of obstacles that deform, which are stored in each frame.
 double deforming_points(const Recording& recording) {
     double sum = 0;
     for (const RecordedObstacle& obstacle : recording.obstacles())
@@ -104,7 +104,8 @@ double deforming_points(const Recording& recording) {
     return sum;
 }
 
-/// The frames that fit, all of them thinned where they have to be; warnings say what is not as recorded.
+/// Data of the frames that fit, thinned if necessary. Adds warnings for anything that differs from the
+/// recording.
 PageJson fitting_data(const Recording& recording, const RenderStage& stage, double megabytes,
                       std::vector<std::string>& warnings) {
     const double most_bytes = 1e6 * megabytes;
@@ -137,7 +138,7 @@ PageJson fitting_data(const Recording& recording, const RenderStage& stage, doub
     return view_data(recording, stage, frames, thinning, look);
 }
 
-/// How fast the page plays at first.
+/// Initial playback speed of the page.
 Pace pace_of_page(const ViewOptions& options, const Recording& recording) {
     return pace_of({options.slow, {}}, recording.time(recording.frame_count() - 1) - recording.time(0));
 }

@@ -10,16 +10,16 @@ namespace sherd {
 
 struct ViewOptions {
     std::filesystem::path recording;
-    std::filesystem::path output;  ///< .html; empty: beside the recording, named like it
-    std::optional<double> slow;    ///< how many times slower than reality; none: default_slowdown()
-    std::string colour;            ///< of view_colours; empty: strain
-    double megabytes = 64;         ///< of data in the page; beyond, frames are left out, then meshes thinned
+    std::filesystem::path output;  ///< .html; empty: the recording's name, with this extension
+    std::optional<double> slow;    ///< factor of slow motion; none: default_slowdown()
+    std::string colour;            ///< name in view_colours; empty: strain
+    double megabytes = 64;         ///< size of the data; above, frames are left out, then the mesh is thinned
     bool plain = false;            ///< without colour bar and caption
     bool force = false;            ///< replace a file that exists
 };
 
-/// One page of HTML that plays a recording in a browser, from a file and without a network. Warns of frames
-/// and looks that are left out. Throws Error (input) on a bad recording.
+/// An HTML page that plays a recording in a browser, from a file and without a network. Warns if frames,
+/// materials or colours are left out, or the mesh is thinned. Throws Error (input) on a bad recording.
 std::string view_page(const ViewOptions& options, std::vector<std::string>& warnings);
 
 }  // namespace sherd

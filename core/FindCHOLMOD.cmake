@@ -4,12 +4,12 @@
 find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse)
 find_library(CHOLMOD_LIBRARY cholmod)
 find_library(OPENBLAS_LIBRARY openblas)
-# The OpenMP runtime that CHOLMOD itself runs on, whatever compiler builds this project.
+# The OpenMP runtime that CHOLMOD is linked with, independent of the compiler that builds this project.
 find_library(GOMP_LIBRARY NAMES libgomp.so.1 gomp)
 mark_as_advanced(CHOLMOD_INCLUDE_DIR CHOLMOD_LIBRARY OPENBLAS_LIBRARY GOMP_LIBRARY)
 if(CHOLMOD_INCLUDE_DIR)
     set(CHOLMOD_VERSION "")
-    file(GLOB headers ${CHOLMOD_INCLUDE_DIR}/cholmod.h ${CHOLMOD_INCLUDE_DIR}/cholmod_core.h) # that of SuiteSparse 5 is the other
+    file(GLOB headers ${CHOLMOD_INCLUDE_DIR}/cholmod.h ${CHOLMOD_INCLUDE_DIR}/cholmod_core.h) # 5 has the latter
     foreach(header ${headers})
         file(STRINGS ${header} lines REGEX "^#define CHOLMOD_(MAIN|SUB|SUBSUB)_VERSION +[0-9]+")
         list(TRANSFORM lines REPLACE ".* ([0-9]+).*" "\\1")

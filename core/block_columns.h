@@ -5,7 +5,7 @@
 
 namespace sherd {
 
-/// Some of the columns of a matrix. What is added to others is ignored.
+/// Some columns of a matrix. Blocks added to others are ignored.
 class BlockMatrix::Columns {
   public:
     /// Every column is in one of `parts` parts; columns beside each other mostly in the same.
@@ -21,20 +21,20 @@ class BlockMatrix::Columns {
     void add_all(std::span<const Index> vertices, const Block& block);
     /// Three rows, coordinate fastest.
     using Rows = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor>;
-    /// Adds rows^T rows, [3 vertices, 3 vertices], in the same way.
+    /// Adds rows^T rows, [3 vertices, 3 vertices], like add_all().
     void add_square(std::span<const Index> vertices, const Rows& rows);
 
   private:
     /// Column c of rows^T rows, from row `first` on.
     static void square_column(const Rows& rows, Eigen::Index c, Eigen::Index first, double* column);
     bool is_plain(std::span<const Index> vertices) const;
-    static constexpr Index run = 16;  // of columns that belong together, for caches
+    static constexpr Index run = 16;  // number of consecutive columns in a part, for caches
     bool has(Index column) const { return parts == 1 || column / run % parts == part; }
 
     BlockMatrix& matrix;
     Index part, parts;
     std::vector<double> buffer;  ///< a column
-    std::vector<Index> ranks;    ///< of its blocks
+    std::vector<Index> ranks;    ///< ranks of its blocks
     std::vector<Index> here;     ///< numbers of an element's vertices in the matrix
 };
 

@@ -24,12 +24,12 @@ class BlockMatrix {
     /// are projected, and are those of the identity in the directions that P removes.
     BlockMatrix(Index vertices, const std::vector<std::pair<Index, Index>>& pairs, std::vector<char> fixed,
                 std::vector<char> guide = {}, std::vector<Matrix3d> guides = {});
-    /// Those rows and columns of such a matrix that belong to the vertices `some`, which ascend: they are
-    /// numbered from 0 in this order. What else is added is ignored.
+    /// The rows and columns of such a matrix that belong to the vertices `some`, which ascend: they are
+    /// numbered from 0 in this order. Blocks added to others are ignored.
     static BlockMatrix part(std::span<const Index> some, Index vertices,
                             const std::vector<std::pair<Index, Index>>& pairs, const std::vector<char>& fixed,
                             const std::vector<char>& guide, const std::vector<Matrix3d>& guides);
-    /// The diagonal blocks of such a matrix. What else is added is ignored.
+    /// The diagonal blocks of such a matrix. Other blocks added are ignored.
     static BlockMatrix diagonal(Index vertices);
 
     void set_zero();
@@ -39,18 +39,18 @@ class BlockMatrix {
     /// implied. A block on the diagonal must be symmetric. Blocks of fixed vertices are ignored.
     void add(Index i, Index j, const Matrix3d& block);
     class Columns;
-    /// Adds what `size` elements have. find(i, local) finds that of element i in a `Local` that may be of
-    /// another one, and returns whether it has any; it is called in any order, in several threads at a time.
-    /// add(columns, i, local) adds it; each thread has columns of its own. Every block is a sum in the order
-    /// of elements, with the same bits whatever the number of threads.
+    /// Adds the blocks of `size` elements. find(i, local) computes the data of element i in a `Local` that
+    /// may hold another element's, and returns whether the element has blocks; it is called in any order, in
+    /// several threads at a time. add(columns, i, local) adds its blocks; each thread has columns of its own.
+    /// Every block is a sum in the order of elements, with the same bits whatever the number of threads.
     template <class Local, class Find, class Add>
     void add_elements(std::size_t size, const Find& find, const Add& add);
-    /// Who shares such sums; by default it is this thread alone.
+    /// Sets the threads that share such sums; by default this thread alone.
     void share_among(Threads team) { threads = std::move(team); }
     const Threads& shared_among() const { return threads; }
 
     bool is_part() const { return !number.empty(); }
-    /// Whether an element with these vertices, those below zero left out, has blocks of nothing else.
+    /// Whether an element with these vertices, those below zero left out, has blocks in this matrix alone.
     bool has_all(std::span<const Index> vertices) const {
         return number.empty() ||
                std::ranges::all_of(vertices, [&](Index vertex) { return vertex < 0 || number[vertex] >= 0; });
@@ -58,7 +58,7 @@ class BlockMatrix {
     Matrix3d diagonal_block(Index vertex) const;
     /// The matrix times x, [3, vertices].
     Positions times(const Positions& x) const;
-    /// Rows and columns of the vertices with a flag, by the numbers that they have here.
+    /// Rows and columns of the vertices with a flag; vertices have the numbers of this matrix.
     BlockMatrix restricted(const std::vector<char>& keep) const;
 
     /// Sets the values to (1 - share) `from` + share `to`, both values() of this pattern.
@@ -83,7 +83,7 @@ class BlockMatrix {
     void visit_values(StateVisitor& visit) { visit(value); }
 
   private:
-    /// Of a vertex in a part, -1: it is not in it.
+    /// Number of a vertex in a part, -1 if it is not in it.
     Index number_of(Index vertex) const { return number.empty() ? vertex : number[vertex]; }
     /// Rows of the blocks below the diagonal of a column, ascending.
     std::span<const Index> rows_of(Index column) const {
@@ -101,9 +101,9 @@ class BlockMatrix {
     void find_blocks(Index vertices, const std::vector<std::pair<Index, Index>>& pairs);
     /// Adds a block with i >= j. With i > j it has this rank among those below the diagonal of column j.
     void add_at(Index rank, Index i, Index j, const Matrix3d& block);
-    /// The same, of vertices that are free.
+    /// Adds such a block of vertices that are free.
     void add_free(Index rank, Index i, Index j, const Matrix3d& block);
-    /// What is left of a block where one of its vertices is guided.
+    /// The projected block where one of its vertices is guided.
     Matrix3d guided_part(Index i, Index j, const Matrix3d& block) const;
 
     std::vector<Index> block_start;  ///< [vertices + 1] first below-diagonal block of each block column
@@ -112,7 +112,7 @@ class BlockMatrix {
     std::vector<double> value;
     std::vector<char> fixed, guide;
     std::vector<Matrix3d> guides;
-    std::vector<Index> number;  ///< of the vertices in a part, -1: not in it; empty: the whole
+    std::vector<Index> number;  ///< number of each vertex in a part, -1: not in it; empty: the whole
     bool only_diagonal = false;
     Threads threads;
 };

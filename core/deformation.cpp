@@ -6,7 +6,7 @@
 namespace sherd {
 namespace {
 
-/// m/s, in a sample.
+/// Velocity at a sample, m/s.
 Positions velocity(const Deformation& deformation, std::size_t sample) {
     const auto& [times, samples, smooth] = deformation;
     if (sample == 0 || sample + 1 == samples.size()) return Positions::Zero(3, samples[sample].cols());

@@ -7,16 +7,16 @@
 
 namespace sherd {
 
-/// A scripted deformation: where the same points are at several times.
+/// A prescribed deformation: positions of the same points at several times.
 struct Deformation {
     std::vector<double> times;              ///< s, ascending, at least one
     std::vector<Eigen::Matrix3Xf> samples;  ///< [3, P] m, at each of these times
-    /// Interpolation between samples: true: by cubics whose velocity is continuous, in a sample that of its
-    /// two neighbours (Catmull and Rom 1974), and none in the first and the last one; false: at constant
-    /// speed.
+    /// Interpolation between samples: true: by cubics with a continuous velocity, at a sample the mean
+    /// velocity between its two neighbours (Catmull and Rom 1974), zero at the first and the last one; false:
+    /// at constant speed.
     bool smooth = true;
 
-    /// [3, P] m, at `time` (s). They rest before the first and after the last sample.
+    /// Positions [3, P] m at `time` (s). The points rest before the first and after the last sample.
     Positions at(double time) const;
 };
 

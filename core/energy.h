@@ -19,14 +19,15 @@ enum class Curvature {
 };
 
 /// A potential energy of the vertex positions. Between calls of begin(), topology_changed() and moved_to(),
-/// its answers depend on the positions alone and not on earlier calls.
+/// its results depend on the positions alone and not on earlier calls.
 struct Energy {
     virtual ~Energy() = default;
     /// Prepares for a step, which begins at the shell's positions and velocities.
     virtual void begin(const StepContext& /*step*/) {}
-    /// Must be called when the shell has other vertices, hinges or lips; the same step goes on.
+    /// Must be called when the shell has other vertices, hinges or crack faces (lips); the open step
+    /// continues.
     virtual void topology_changed(const ShellChange& /*change*/, const StepContext& step) { begin(step); }
-    /// Must be called when the minimiser has moved to the iterate x, from which it goes on.
+    /// Must be called when the minimiser has moved to the iterate x, from which it continues.
     virtual void moved_to(const Positions& /*x*/) {}
 
     /// Energy, J. x: [3, V] m.
@@ -40,18 +41,18 @@ struct Energy {
     /// Appends the pairs of vertices that have a block in the Hessian as long as the shell does not change.
     virtual void add_pattern(std::vector<std::pair<Index, Index>>& /*pairs*/) const {}
     /// Appends the pairs that depend on the positions: those with a block at x and, with `ahead`, those that
-    /// are likely to have one soon.
+    /// are likely to have one after small motions.
     virtual void add_contacts(const Positions& /*x*/, bool /*ahead*/,
                               std::vector<std::pair<Index, Index>>& /*pairs*/) const {}
     /// Fraction, 0 to 1, of a straight motion from x up to which the energy stays finite.
     virtual double safe_fraction(const Positions& /*x*/, const Positions& /*motion*/) const { return 1; }
-    /// What it gives to the Hessian for each unit of a vertex's mass, in each direction, 1/s^2. That of the
-    /// air, which goes by area, is not in it.
+    /// Contribution to the Hessian for each unit of a vertex's mass, in each direction, 1/s^2, without that
+    /// of the air, which is proportional to area.
     virtual double of_mass() const { return 0; }
     /// The task that the energy's computing time is booked on.
     virtual Task task() const { return Task::elasticity; }
 
-    /// What begin() does not make anew.
+    /// Visits the state that begin() does not compute.
     virtual void visit_state(StateVisitor& visit) = 0;
 };
 

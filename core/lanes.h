@@ -8,8 +8,8 @@
 
 namespace sherd {
 
-/// Four numbers that are computed with at once, one of each of four elements. They have the bits that the
-/// elements alone have: each operation is that of the single number.
+/// Four numbers in simultaneous computations, one for each of four elements. Results have the same bits as
+/// those of single elements: each operation is that of the single number.
 class Lanes {
   public:
     static constexpr int count = 4;
@@ -17,7 +17,7 @@ class Lanes {
     using Vector [[gnu::vector_size(32), gnu::aligned(16)]] = double;
 
     Lanes() = default;
-    // As a vector: compilers copy what they take for a plain struct in parts, for which its use has to wait.
+    // Copies as a vector: compilers copy a plain struct in parts, for which the next operation has to wait.
     Lanes(const Lanes& o) : v(o.v) {}
     Lanes& operator=(const Lanes& o) {
         v = o.v;
@@ -25,7 +25,7 @@ class Lanes {
     }
     Lanes(double all) : v{all, all, all, all} {}  // NOLINT: as of double
     Lanes(const Vector& v) : v(v) {}              // NOLINT
-    /// Four numbers in a row, wherever they are.
+    /// Loads four consecutive numbers, without alignment.
     static Lanes load(const double* from) {
         Vector v;
         std::memcpy(&v, from, sizeof v);
@@ -52,7 +52,7 @@ class Lanes {
         const auto less = a.v < b.v;
         return (less[0] & less[1] & less[2] & less[3]) != 0;
     }
-    /// Makes rows of a [4, 4] matrix its columns.
+    /// Transposes the [4, 4] matrix with these rows.
     friend void transpose(Lanes& a, Lanes& b, Lanes& c, Lanes& d) {
         const Vector ab0 = __builtin_shufflevector(a.v, b.v, 0, 4, 2, 6);
         const Vector ab1 = __builtin_shufflevector(a.v, b.v, 1, 5, 3, 7);

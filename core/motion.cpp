@@ -21,14 +21,14 @@ Eigen::Quaterniond rotation(const MotionKey& a, const MotionKey& b, double s) {
     return Eigen::Quaterniond(Eigen::AngleAxisd(a.angle + s * (end - a.angle), a.axis));
 }
 
-/// rad, between two keys.
+/// Angle of the rotation between two keys, rad.
 double turn(const MotionKey& a, const MotionKey& b) {
     if (a.angle == 0 || b.angle == 0) return std::abs(a.angle + b.angle);
     if (a.axis.cross(b.axis).norm() > same_axis) return rotation(a).angularDistance(rotation(b));
     return std::abs((a.axis.dot(b.axis) < 0 ? -b.angle : b.angle) - a.angle);
 }
 
-/// Share of the way from a key to the next one that is behind at `time`, s.
+/// Share of the motion from a key to the next one that is complete at `time`, s.
 double share_of_way(const MotionKey& a, const MotionKey& b, double time, bool smooth) {
     const double s = b.time > a.time ? std::clamp((time - a.time) / (b.time - a.time), 0.0, 1.0) : 0;
     return smooth ? s * s * (3 - 2 * s) : s;

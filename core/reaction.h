@@ -7,7 +7,7 @@
 
 namespace sherd {
 
-/// What a support or an obstacle does to that which it holds or stops.
+/// Force and moment of a support or an obstacle on the sheets and bodies that it holds or touches.
 struct Reaction {
     Vector3d force = Vector3d::Zero();   ///< N
     Vector3d moment = Vector3d::Zero();  ///< N m, about the origin

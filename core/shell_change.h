@@ -16,48 +16,47 @@ struct Heir {
         double weight;
     };
     Index element;
-    std::vector<Parent> parents;  ///< their weights sum to 1; without any, data start from defaults
+    std::vector<Parent> parents;  ///< weights sum to 1; without any, data start from defaults
 };
 
 /// An edge that opens with a change of the shell.
 struct Opening {
     Index edge;
-    double energy;  ///< J, that it takes in all
+    double energy;  ///< J, total energy that the opening dissipates
     double time;    ///< s, in which the tip passes it at its speed limit
 };
 
 /// A change of the shell's mesh. New elements are appended in the order given here; hinges are removed, then
 /// appended. Parents are elements before the change, with the data that they had then. A crack that opens
-/// changes nothing but the numbers of corners; what is below `moved` says what changes where the sheet gets
-/// other triangles.
+/// only changes the numbers of corners; members from `moved` on describe changes of triangles (remeshing).
 struct ShellChange {
     std::vector<Heir> vertices = {}, edges = {}, faces = {};
     /// Removed hinges, in the order of removal, each with its number at that time: the last hinge then took
     /// the number of the removed one.
     std::vector<Index> removed_hinges = {};
-    /// Of the hinge that was removed, where its crack needs energy.
+    /// Opening of the edge whose hinge was removed, if its crack requires energy.
     std::optional<Opening> opening = {};
 
-    /// Old vertices that are at another place of the sheet: their parents lay around it.
+    /// Old vertices that have been moved to another place of the sheet, around which their parents lay.
     std::vector<Heir> moved = {};
     /// An old face that covers another part of the sheet, or has other corners.
     struct ChangedFace {
         Index face;
-        std::array<Index, 3> vertices;  ///< as they were
+        std::array<Index, 3> vertices;  ///< corners before the change
     };
     std::vector<ChangedFace> changed = {};  ///< ascending
-    /// Those and the born ones, ascending, each with the changed faces that have passed a part on to it and
-    /// the fraction of their area and mass: the largest part first. The fractions of a face sum to 1.
+    /// Changed and inserted faces, ascending, each with the changed faces of which it inherits a part and the
+    /// fraction of their area and mass: the largest part first. The fractions of a changed face sum to 1.
     std::vector<Heir> reshaped = {};
-    /// Hinges with other vertices or another rest shape, ascending; those that are new were appended.
+    /// Hinges with other vertices or another rest shape, ascending; new hinges were appended.
     std::vector<Index> reshaped_hinges = {};
     struct Weight {
         Index vertex;
-        double mass;  ///< kg, as it was
+        double mass;  ///< kg, before the change
     };
-    std::vector<Weight> weights = {};  ///< of the old corners of changed faces, ascending
+    std::vector<Weight> weights = {};  ///< masses of the old corners of changed faces, ascending
 
-    /// Whether the sheet gets other triangles; else edges open.
+    /// Whether triangles change (remeshing); otherwise edges open.
     bool remeshes() const { return !reshaped.empty() || !moved.empty(); }
 };
 
@@ -74,7 +73,7 @@ void follow_hinges(const ShellChange& change, std::vector<T>& of_hinges) {
     for (const Index hinge : change.removed_hinges) remove_hinge(of_hinges, hinge);
 }
 
-/// The same, and makes the entries of reshaped and appended hinges anew: make(hinge).
+/// Removes the entries of removed hinges, and sets those of reshaped and appended hinges: make(hinge).
 template <class T, class Make>
 void follow_hinges(const ShellChange& change, std::vector<T>& of_hinges, const Make& make) {
     follow_hinges(change, of_hinges);
@@ -85,14 +84,14 @@ void follow_hinges(const ShellChange& change, std::vector<T>& of_hinges, const M
             of_hinges.push_back(make(hinge));
 }
 
-/// The entry of a face that has changed; null: it has not.
+/// The entry of a changed face; null if the face has not changed.
 inline const ShellChange::ChangedFace* changed_face(const ShellChange& change, Index face) {
     const auto at = std::ranges::lower_bound(change.changed, face, {}, &ShellChange::ChangedFace::face);
     return at != change.changed.end() && at->face == face ? &*at : nullptr;
 }
 
-/// Appends the born faces whose first parent is in a list of faces to it. Where the list's border is made of
-/// edges that no change moves, it covers the same part of the sheet as before.
+/// Appends the inserted faces whose first parent is in a list of faces to it. If the list's border consists
+/// of edges that no change moves, the list covers the same part of the sheet as before.
 inline void follow_faces(const ShellChange& change, std::vector<Index>& faces) {
     for (const auto& [face, parents] : change.faces)
         if (!parents.empty() && std::find(faces.begin(), faces.end(), parents.front().element) != faces.end())

@@ -25,22 +25,22 @@ concept HasState = requires(T& part, StateVisitor& visit) {
 template <class T>
 concept EigenArray = std::derived_from<T, Eigen::PlainObjectBase<T>>;
 
-/// Goes through all that a simulation keeps from one step to the next, to write it down or to put it back.
+/// Visits all state that a simulation keeps from one step to the next, to store or to restore it.
 ///
 /// A class with members that own memory has visit_state(), whose structured binding lists all of its members,
-/// so that one that is added does not compile until it is there:
+/// so that a new member does not compile until it is listed:
 ///     void visit_state(StateVisitor& visit) { auto& [shell, counted, slopes] = *this; visit(counted); }
-/// Those that are listed but not visited are given when the object is made, or follow bit for bit from what
-/// is visited. What owns no memory is taken as its bytes, with all that it has; it must hold no pointers.
-/// State is put back into an object that was made from the same input.
+/// Members that are listed but not visited are given at construction, or follow bit for bit from those
+/// visited. A type that owns no memory is stored as its bytes, with all of its members; it must hold no
+/// pointers. State is restored into an object that was constructed from the same input.
 class StateVisitor {
   public:
     virtual ~StateVisitor() = default;
-    /// Whether state is put back, and not written down.
+    /// Whether state is restored, and not stored.
     virtual bool reads() const = 0;
-    /// Throws Error when there are not as many bytes.
+    /// Stores or restores bytes. Throws Error if there are too few.
     virtual void bytes(void* data, std::size_t size) = 0;
-    /// A class begins. Throws Error when it is another one than was written down here.
+    /// Begins a class. Throws Error if another class was stored here.
     virtual void enter(const char* type) = 0;
 
     template <class... Parts>
@@ -94,7 +94,7 @@ class StateVisitor {
         if (reads()) part = there ? std::optional<T>(std::in_place) : std::nullopt;
         if (part) one(*part);
     }
-    /// What is there is decided when the object is made.
+    /// Whether a pointer is null is decided at construction.
     template <class T>
     void one(std::unique_ptr<T>& part) {
         bool there = part != nullptr;
@@ -120,7 +120,7 @@ class StateVisitor {
             one(map[key]);
         }
     }
-    /// Lists of what cannot be made without its surroundings have the length that they were made with.
+    /// Lists of elements without a default constructor keep the length that they had at construction.
     template <class List>
     void resize(List& list) {
         std::size_t size = list.size();
@@ -132,9 +132,9 @@ class StateVisitor {
     }
 };
 
-/// Whether a class has these members and no more beside those of its base, with which a structured binding
+/// Whether a class has these members and no more besides those of its base; with a base, a structured binding
 /// cannot list them: static_assert(has_only<A, Base, decltype(one), decltype(other)>()). Only a member that
-/// fits into padding escapes it.
+/// fits into padding is not noticed.
 template <class T, class Base, class... Members>
 constexpr bool has_only() {
     std::size_t end = sizeof(Base), alignment = alignof(Base);

@@ -13,8 +13,8 @@
 namespace sherd {
 namespace {
 
-/// Tells the thread sanitizer, which does not see what TBB does, that parts come after what was before the
-/// loop and before what follows it.
+/// Tells the thread sanitizer, which does not see the synchronization in TBB, that parts run after the code
+/// before the loop and before the code after it.
 class LoopOrder {
   public:
     LoopOrder() { happened(begin); }

@@ -11,16 +11,16 @@
 
 namespace sherd {
 
-/// A team of threads that share the parts of a loop; copies are the same team. Parts are the same whatever
-/// the number of threads, so that what each of them writes for itself has the same bits with any number.
+/// A team of threads that share the parts of a loop; copies are the same team. Parts do not depend on the
+/// number of threads, so that the results of each have the same bits with any number.
 class Threads {
   public:
-    /// count: at most, this thread among them, but no more than the processor runs at once.
+    /// count: largest number of threads, this one included; no more are used than the processor runs at once.
     explicit Threads(int count = 1);
 
     int count() const { return number; }
     /// Calls part(i) for all i from 0 to before `parts`, in any order and several at a time, and returns when
-    /// all are done. One that throws ends the loop with its exception.
+    /// all are done. An exception in a part ends the loop, and is thrown again.
     void share(Index parts, const std::function<void(Index)>& part) const;
     /// Calls range(begin, end) for ranges of `length` that together are 0 to before `size`.
     template <class Range>
@@ -30,7 +30,8 @@ class Threads {
     }
 
     /// Calls find(i, local) for i from 0 to before `size`, in any order and several at a time, with a `Local`
-    /// that may be of another one, and take(first, locals) in this thread, in order, for those of each lot.
+    /// that may hold another element's data, and take(first, locals) in this thread, in order, for those of
+    /// each lot.
     template <class Local, class Find, class Take>
     void share_lots(std::size_t size, const Find& find, const Take& take) const;
 
@@ -42,7 +43,7 @@ class Threads {
 
 template <class Local, class Find, class Take>
 void Threads::share_lots(std::size_t size, const Find& find, const Take& take) const {
-    // Few enough for a cache, and enough to share; one thread takes each while it is at hand.
+    // Lots fit into a cache, and are large enough to share; a single thread takes each element at once.
     const std::size_t of_lot = number == 1 ? 1 : 2048;
     constexpr Index of_part = 64;
     std::vector<Local> locals(std::min(size, of_lot));

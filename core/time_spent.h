@@ -17,7 +17,7 @@ enum class Task {
     analysis,       ///< analysis of the pattern of Newton's matrix by the linear solver
     factorization,  ///< factorization of the matrix
     solution,       ///< solution with the factor
-    breaking        ///< judging hinges and opening the mesh
+    breaking        ///< failure of hinges, and opening of the mesh
 };
 
 /// The wall time of each task, every moment counted once, and how often it was begun. It is informative only:
@@ -26,7 +26,7 @@ class TimeSpent {
   public:
     /// Time spent on a task, s.
     double on(Task task) const { return std::chrono::duration<double>(spent[index(task)]).count(); }
-    /// How many stopwatches were started on a task: of factorizations and analyses, their number.
+    /// Number of stopwatches started on a task; for factorizations and analyses, their number.
     std::int64_t times(Task task) const { return begun[index(task)]; }
 
   private:
@@ -49,7 +49,7 @@ class TimeSpent {
     Clock::time_point since = Clock::now();
 };
 
-/// While it exists, time is booked on its task instead of the task that it interrupts.
+/// Books time on its task while it exists, instead of on the task that it interrupts.
 class Stopwatch {
   public:
     Stopwatch(TimeSpent& time, Task task) : time(time), interrupted(time.change(task)) {

@@ -3,10 +3,10 @@
 
 namespace sherd {
 
-/// What keeps a sheet whole whatever it bears, because a picture wants it so.
+/// Limits on the fracture of a sheet, whatever its load, for the sake of a picture.
 struct ArtDirection {
-    double after = 0;     ///< s; nothing of it fails before this time
-    double smallest = 0;  ///< m; the root of the area of the smallest piece that may come off it; 0: any
+    double after = 0;     ///< s; no edge of the sheet fails before this time
+    double smallest = 0;  ///< m; square root of the area of the smallest piece that may separate; 0: any
 };
 
 }  // namespace sherd

@@ -23,14 +23,14 @@ Index number(std::size_t element) {
 
 Mesh joined(const std::vector<SheetInput>& inputs) {
     Mesh all = inputs.front().mesh;
-    // join() takes over what `all` has, too.
+    // join() copies only properties that `all` has, too.
     for (const SheetInput& input : inputs) take_looks(all, input.mesh);
     for (std::size_t i = 1; i < inputs.size(); ++i) all.join(inputs[i].mesh);
     return all;
 }
 
-/// The first material axis of every face of all sheets, [F]; where it does not matter it is zero, which
-/// stands for an angle of zero.
+/// The first material axis of every face of all sheets, [F]; zero, which stands for an angle of zero, where
+/// nothing depends on it. Throws Error if a material is inadmissible or an axis is missing.
 std::vector<Vector3d> joined_axes(const std::vector<SheetInput>& inputs) {
     std::vector<Vector3d> all;
     for (const SheetInput& input : inputs) {
@@ -320,7 +320,7 @@ void BreakableShell::share_masses(const TopologyChange& change) {
         shell.mass[number(vertex)] = mass_of_faces(vertex);
         shell.footprint[number(vertex)] = footprint_per_mass * shell.mass[number(vertex)];
     };
-    Vertex shared;  // the original vertex whose copies are being processed; they are consecutive
+    Vertex shared;  // the vertex whose copies are being processed; they are consecutive
     double footprint_per_mass = 0;
     for (const Born<Vertex>& copy : change.vertices) {
         if (copy.parent() != shared) {

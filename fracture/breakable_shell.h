@@ -17,9 +17,9 @@
 
 namespace sherd {
 
-/// All sheets of a simulation: their mesh and their mechanics, kept consistent. A crack removes hinges and
-/// duplicates vertices, and changes nothing else: rest shape, stiffness and total mass stay. The mesh has the
-/// rest shape at all times.
+/// All sheets of a simulation: their mesh and their mechanics, kept consistent. The failure of edges removes
+/// hinges and duplicates vertices, and changes nothing else: rest shape, stiffness and total mass stay. The
+/// mesh has the rest shape at all times.
 class BreakableShell {
   public:
     /// inputs: at least one. Throws Error if a material's constants are inadmissible, if material or strength
@@ -36,11 +36,11 @@ class BreakableShell {
     /// Number of the edge's hinge in mechanics().hinges; -1 if it has none.
     Index hinge_of_edge(Edge edge) const { return shell.edge_hinge[edge]; }
     /// Strength of the hinge of `edge`, in the unit of its sheet's measure; infinite if it cannot fail, or
-    /// not yet (ArtDirection::after). Of a stress, with the compression of a tempered surface.
+    /// not yet (ArtDirection::after). A strength by stress includes the compression of a tempered surface.
     double strength(Edge edge) const { return waits(edge) ? never : shell.edge_strength[edge]; }
     /// Whether the edge has a hinge that can fail.
     bool can_fail(Edge edge) const { return hinge_of_edge(edge) >= 0 && std::isfinite(strength(edge)); }
-    /// The measure that the hinge of `edge` is compared by with its strength.
+    /// The measure of the hinge of `edge` that is compared with its strength.
     Measure measure(Edge edge) const { return strengths[sheet_of(edge)].measure; }
     Index sheet_of(Edge edge) const;  ///< number of the input
     bool yields() const {             ///< whether any sheet has a yield stress
@@ -62,15 +62,15 @@ class BreakableShell {
         const Strength& strength = strengths[sheet_of(edge)];
         return strength.along != strength.across;
     }
-    /// Of an edge, in its direction and with its factor.
+    /// Toughness of an edge, in its direction and with its factor.
     Toughness toughness(Edge edge) const {
         return {.value = shell.edge_toughness[edge], .speed_limit = toughnesses[sheet_of(edge)].speed_limit};
     }
-    /// K_Ic, Pa m^0.5, of a crack that goes on from a vertex in a direction at rest; infinite where it
-    /// cannot.
+    /// K_Ic, Pa m^0.5, of a crack that propagates from a vertex in a direction of the rest shape; infinite
+    /// where it cannot.
     double toughness_towards(Vertex from, const Vector3d& direction) const;
     const ArtDirection& art_direction(Index sheet) const { return art_directions[sheet]; }
-    /// Tells what time (s) it is: see ArtDirection::after.
+    /// Sets the time (s) that is compared with ArtDirection::after.
     void set_time(double now);
     void forbid(Edge edge);  ///< makes an edge unbreakable
     double crack_tip_factor(Edge edge) const {
@@ -79,7 +79,7 @@ class BreakableShell {
     }
     std::vector<double> face_areas() const;  ///< [F] m^2, at rest
 
-    /// What a crack changed in the mesh and in the mechanics.
+    /// A change of the mesh and of the mechanics by a crack.
     struct Change {
         CrackMesh::Change cracks;
         ShellChange shell;
@@ -93,43 +93,44 @@ class BreakableShell {
         Halfedge halfedge;  ///< from the tip to the edge's other end
         Vector3d direction;
         double off_course;  ///< rad
-        Change change;      ///< whose shell is empty where the edge was there
+        Change change;      ///< without `shell` where the edge existed already
     };
-    /// Makes an edge from `tip` along a ray of the rest shape, which does not fail by it, and gives the sheet
-    /// around it other triangles (advance_edge(), CrackMesh::advance()). Lips, what is pinned or scripted,
-    /// what is held or guided otherwise than a neighbour, and what keep_place() and keep_border() say stay,
-    /// besides options.kept.
+    /// Inserts an edge from `tip` along a ray of the rest shape, and triangulates the sheet around it again
+    /// (advance_edge(), CrackMesh::advance()). The edge does not fail yet. Kept in place, besides
+    /// options.kept, are crack faces, pinned and scripted vertices, vertices held or guided otherwise than a
+    /// neighbour, and those of keep_place() and keep_border().
     ///
-    /// Each old face passes its mass on by area, so that it goes on for as much; a vertex has a third of its
-    /// faces'. Positions and velocities are interpolated, then the patch gets the rigid motion that keeps its
-    /// momentum (follow_in_motion()). Rest angles, stiffness and strength are those of a sheet that is made
-    /// of these triangles: a face has the material axis of what it has most of, in its own plane; half of an
-    /// edge has the edge's factor on the strength, and an edge across old faces the mean of the factors of
-    /// their edges, without infinite ones, unless all are.
+    /// The mass of each old face is distributed to its parts by area, so that mass is conserved; a vertex has
+    /// a third of its faces' mass. Positions and velocities are interpolated, then the patch gets the rigid
+    /// motion that keeps its momentum (follow_in_motion()). Rest angles, stiffness and strength are those of
+    /// a sheet that is made of these triangles. A face has the material axis of the old face that covers most
+    /// of it, turned into its own plane. Half of an edge has the edge's factors on strength and toughness,
+    /// and an edge across old faces the mean of the finite factors of their edges; an infinite one if there
+    /// is none.
     std::optional<Advanced> advance(Vertex tip, const Vector3d& direction, const AdvanceOptions& options);
-    /// From now on these vertices stay in their place of the sheet.
+    /// Makes later calls of advance() keep these vertices at their place of the rest shape.
     void keep_place(std::span<const Index> vertices);
-    /// From now on the edges between these faces and others stay as lines.
+    /// Makes later calls of advance() keep the edges between these faces and others as lines.
     void keep_border(std::span<const Index> faces);
 
-    /// How the mesh lies in the one of the start.
+    /// Where the mesh lies in the unfractured one.
     const RestAncestry& ancestry() const { return rest_ancestry; }
     std::span<const Vector3d> axes() const {
         return face_axes;
-    }  ///< [F] as in SheetInput; zero: of no matter
+    }  ///< [F] as in SheetInput; zero where nothing depends on it
     double strength_factor(Edge edge) const { return strength_factors[edge]; }  ///< as in Strength
 
-    /// Exempts faces that overlap at the start from contact, until they are apart (StartExemptions).
+    /// Exempts faces that overlap at the start from contact until they have separated (StartExemptions).
     void exempt(std::span<const StartOverlap> overlaps);
-    std::size_t exempt_pairs() const { return exemptions.count(); }  ///< of vertices
-    /// Passes the lips of cracks, and what overlapped at the start, on to SheetContact where they have moved
-    /// apart. Returns whether there were any.
+    std::size_t exempt_pairs() const { return exemptions.count(); }  ///< number of vertex pairs
+    /// Re-enables SheetContact between separated crack faces, and between exempt faces that have separated.
+    /// Returns whether there were any.
     bool release_apart();
     void visit_state(StateVisitor& visit);
 
   private:
     void add_vertices(const SheetInput& input, Index sheet, Index first_vertex);
-    /// Registers with the lips which vertices of one sheet coincide at the start.
+    /// Registers in `lips` the vertices of one sheet that coincide at the start.
     void add_coincident_vertices();
     void add_triangles();
     void add_hinges();
@@ -137,7 +138,7 @@ class BreakableShell {
     void add_footprints();
     void set_rigid_motion(const SheetInput& input, Index first_vertex);
     std::array<Index, 4> hinge_vertices(Edge edge) const;
-    /// The material of a sheet with the mean thickness of some of its vertices.
+    /// The material of a sheet with the mean thickness of `vertices`.
     template <std::size_t N>
     Material material_of(Index sheet, const std::array<Index, N>& vertices) const {
         Material local = materials[sheet];
@@ -153,9 +154,9 @@ class BreakableShell {
     void renumber(std::span<const Face> faces);
     void share_masses(const TopologyChange& change);
 
-    /// Whether a vertex is held or guided, and otherwise than one of its neighbours.
+    /// Whether a vertex is held or guided, and a neighbour is not, or otherwise.
     bool is_held_alone(Vertex vertex) const;
-    bool overlaps_collider(Vertex vertex) const;  ///< since the start
+    bool overlaps_collider(Vertex vertex) const;  ///< whether it has overlapped one since the start
     AdvanceOptions with_kept(const AdvanceOptions& options) const;
     ShellChange reshape(const TopologyChange& topology);
     void write_pairs();  ///< sets shell.twins, shell.near and shell.lips
@@ -173,15 +174,15 @@ class BreakableShell {
     RestAncestry rest_ancestry;
     Lips lips;
     StartExemptions exemptions;
-    std::vector<Material> materials;     ///< of each input
-    std::vector<Strength> strengths;     ///< of each input, without factors
-    std::vector<Toughness> toughnesses;  ///< of each input, without factors
+    std::vector<Material> materials;     ///< [sheets]
+    std::vector<Strength> strengths;     ///< [sheets], without factors
+    std::vector<Toughness> toughnesses;  ///< [sheets], without factors
     std::vector<ArtDirection> art_directions;
     std::vector<Vector3d> face_axes;                          ///< [F]
     std::vector<double> strength_factors, toughness_factors;  ///< [E]
     std::vector<char> kept_vertices, kept_edges;              ///< [V] and [E]
     double time = 0;                                          ///< s
-    bool some_wait = false;  ///< whether there is a sheet that nothing of may fail yet
+    bool some_wait = false;  ///< whether a sheet may not fail yet (ArtDirection::after)
 };
 
 }  // namespace sherd

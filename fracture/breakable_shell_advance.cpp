@@ -11,7 +11,7 @@
 namespace sherd {
 namespace {
 
-/// An axis turned into the plane of a face, as long as it was; as it was if it is at right angles to it.
+/// Returns an axis turned into the plane of a face, with its length; unchanged if it is normal to the plane.
 Vector3d in_plane(const Vector3d& axis, const TrianglePositions& rest) {
     const Vector3d normal =
         Vector3d(rest.col(1) - rest.col(0)).cross(Vector3d(rest.col(2) - rest.col(0))).normalized();
@@ -184,8 +184,9 @@ void BreakableShell::reshape_hinges(ShellChange& change) {
     std::ranges::sort(change.reshaped_hinges);
 }
 
-/// Adds or takes away what faces give to the contact areas of their corners, also by their sides on the
-/// outline. old: how edges were called between the corners that the faces have in the shell; null: as now.
+/// Adds (sign 1) or subtracts (sign -1) the contributions of faces, and of their sides on the outline, to the
+/// contact areas of their corners. old: finds the edges between the faces' corners in the shell before the
+/// change of the mesh; null: the mesh as it is does.
 void BreakableShell::add_footprints(std::span<const Index> faces, const OldSides* old, double sign) {
     const auto edge_between = [&](Index from, Index to) {
         if (old != nullptr) return old->between(from, to);

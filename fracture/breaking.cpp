@@ -8,7 +8,7 @@ namespace sherd {
 namespace {
 
 constexpr int rings = 2;
-constexpr double almost_one = 1 - 1e-9;  // of what is one but for round-off
+constexpr double almost_one = 1 - 1e-9;  // factor that allows for round-off
 
 /// The end points of an edge and all vertices within two edges of them.
 std::vector<Vertex> neighbourhood(const Mesh& mesh, Edge edge) {
@@ -24,7 +24,7 @@ std::vector<Vertex> neighbourhood(const Mesh& mesh, Edge edge) {
     return vertices;
 }
 
-/// Whether an overload above `limit` is possible, which tells most edges without a look at the mesh around.
+/// Whether an overload above `limit` is possible: a cheap test that excludes most edges.
 bool may_exceed(const BreakableShell& shell, const HingeMeasures& measures, Edge edge, bool crack_tips,
                 double limit) {
     const double factor = crack_tips ? std::min(1.0, shell.crack_tip_factor(edge)) : 1;
@@ -44,7 +44,7 @@ double overload(const BreakableShell& shell, const HingeMeasures& measures, Edge
     const double measure = measures.of(shell.measure(edge), hinge);
     if (measure <= 0) return 0;
     const double factor = crack_tips && continues_a_crack(shell, edge) ? shell.crack_tip_factor(edge) : 1;
-    // Nothing is overloaded infinitely, not even what has no strength: recordings hold numbers.
+    // Recordings hold finite numbers, so the overload is finite at zero strength, too.
     return std::min(measure / (shell.strength(edge) * factor), std::numeric_limits<double>::max());
 }
 

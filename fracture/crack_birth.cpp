@@ -8,11 +8,11 @@
 namespace sherd {
 namespace {
 
-/// Within these of a tip, in thicknesses and in edges, no crack is born.
+/// Distance from a tip, in thicknesses and in edges, within which no crack nucleates.
 constexpr double quiet_thicknesses = 4, quiet_edges = 2.5;
-/// Share of the principal tension that some edge of any mesh has across it.
+/// Share of the principal tension that in any mesh acts across at least one edge.
 constexpr double least_share = 0.5;
-/// How many times the way through the thickness at the speed limit a birth takes.
+/// Time for nucleation over that of a crack at its speed limit across the thickness.
 constexpr double delay = 2;
 
 double mean_edge(const Shell& shell, Index face) {

@@ -8,15 +8,15 @@
 
 namespace sherd {
 
-/// Where cracks are born in sheets that have a toughness: at a hinge that has been over its strength for as
-/// long as a crack needs through the thickness, and never near a tip.
+/// Nucleation of cracks in sheets that have a toughness: at a hinge that has been above its strength for as
+/// long as a crack needs to cross the thickness, and never near a tip.
 class CrackBirth {
   public:
-    /// The shell must outlive this object. timeless: in statics, where nothing takes time.
+    /// The shell must outlive this object. timeless: whether nucleation takes no time, as in statics.
     CrackBirth(const BreakableShell& shell, bool timeless) : shell(shell), timeless(timeless) {}
 
-    /// Of the hinges that fail now, the edge of the one with the most tension across it. waited: s, by which
-    /// births have come nearer since the last call.
+    /// The edge at which a crack nucleates now; of several the one with the largest tension across it.
+    /// waited: s, time since the last call that counts towards nucleation.
     std::optional<Edge> next(const FaceStrains& strains, const HingeMeasures& measures,
                              std::span<const GrowingTip> tips, double waited);
 
@@ -26,15 +26,15 @@ class CrackBirth {
     }
 
   private:
-    /// What a hinge bears over its strength where a crack may be born: within a sheet the principal tension,
-    /// since the crack may begin across it along another edge, and at lips and rims, or where strength has
-    /// directions, the tension across the edge.
+    /// Stress over strength for nucleation at a hinge: inside a sheet by the principal tension, since the
+    /// crack may start across it along another edge; at crack faces and rims, or where strength depends on
+    /// the direction, by the tension across the edge.
     double ratio(const FaceStrains& strains, double across, Edge edge) const;
     bool near_a_tip(Edge edge, std::span<const GrowingTip> tips) const;
 
     const BreakableShell& shell;
     bool timeless;
-    std::vector<double> exposure;  ///< [E] s: time over the strength, times the square of the excess
+    std::vector<double> exposure;  ///< [E] s: time above the strength, times the excess squared
 };
 
 }  // namespace sherd

@@ -10,29 +10,30 @@
 namespace sherd {
 namespace {
 
-/// In the time of so many edges at the speed limit the mean release follows what feeds a tip: stress swings
-/// by a factor of four while an edge opens.
+/// Time constant of the mean release, in edges at the speed limit: stress varies by a factor of four while an
+/// edge opens.
 constexpr double edges_of_mean = 3;
-/// Residual stress does not swing: what it gives follows in the time of so many thicknesses, in which it
-/// gives way around the path of a tip; and twins that it feeds branch when they are as far apart.
+/// Time constant of the mean release that is mostly residual stress, in thicknesses at the speed limit:
+/// residual stress does not vary so, and relaxes around the path of a tip in this time. Branches driven by it
+/// may branch again once they are this far apart.
 constexpr double thicknesses_of_mean = 0.5;
-/// Mean of G over G_c from which on a tip branches: twice what it needs. By stress that is twice 0.7, which
-/// is the mean of a tip that just keeps going: stress falls when an edge opens, and rises until the next one
-/// does.
+/// Mean of G over G_c above which a tip branches: twice what it needs. By stress this is twice 0.7, the mean
+/// of a tip that just keeps propagating: stress falls when an edge opens, and rises until the next one does.
 constexpr double enough_by_energy = 2, enough_by_stress = 1.4;
-/// Share of its speed limit from which on a tip is at it: strides differ, and go in steps of time.
+/// Share of the speed limit above which a tip counts as running at it: its speed fluctuates, since edges
+/// differ and time advances in steps.
 constexpr double share_of_limit = 0.8;
-/// Between either branch and the way of the crack.
+/// Angle between either branch and the crack's direction, rad.
 constexpr double branch_angle = 25 * std::numbers::pi / 180;
-/// Twins that are nearer to each other than so many edges go on together, and those within more of them do
-/// not branch: a tip slows down where it branches, and is fed too much until it runs again.
+/// Distances between branches, in edges: below the first they propagate together, below the second they do
+/// not branch again. A tip slows down where it branches, and its load is too large until it runs again.
 constexpr double edges_together = 3, edges_between = 8;
 
 bool is_fed_by_residual(const TipLoad& load) {
     return load.residual > 0.5;
 }
 
-/// apart: m, at rest.
+/// The other branch of a tip if it is nearer than `apart` (m, at rest); else null.
 const GrowingTip* twin_within(double apart, const BreakableShell& shell, const GrowingTip& tip,
                               std::span<const GrowingTip> all) {
     if (tip.twin < 0) return nullptr;

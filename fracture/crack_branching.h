@@ -9,25 +9,27 @@
 
 namespace sherd {
 
-// A tip that runs at its speed limit and is fed twice what it needs branches: it goes on in two ways at once.
-// From then on these are two tips, twins. As long as they are within a few edges of each other, a mesh does
-// not tell which of them bears more, and what it tells by chance would decide, since the first to go on
-// unloads the other one. So twins that are near go on together, by the mean of what they bear, or not at all.
+// A tip that runs at its speed limit with a release rate of twice the fracture energy branches: it propagates
+// in two directions at once. From then on there are two tips, branches of one another. While they are within
+// a few edges of each other, the mesh does not resolve which has the larger load, and chance would decide,
+// since the first to propagate unloads the other. So branches that are near each other propagate together, by
+// the root mean square of their intensities, or not at all.
 
-/// Lets the mean release of a tip follow what it bore for the last `waited` s: its intensity over the
-/// toughness.
+/// Updates the mean release of a tip with its load during the last `waited` s. intensity_ratio: intensity
+/// over toughness.
 void feed(const BreakableShell& shell, GrowingTip& tip, const TipLoad& load, double intensity_ratio,
           double waited);
 
-/// Whether a tip that goes on at `time` (s) does so in two ways; all: the tips that there are.
+/// Whether a tip that propagates at `time` (s) branches. all: all tips.
 bool branches(const BreakableShell& shell, const GrowingTip& tip, const TipLoad& load,
               std::span<const GrowingTip> all, double time);
 
-/// The two directions of a tip that branches about a direction, unit vectors in the tangent plane.
+/// The directions of the two branches of a tip, unit vectors in the tangent plane on either side of
+/// `direction`.
 std::array<Vector3d, 2> branch_directions(const BreakableShell& shell, const GrowingTip& tip,
                                           const Vector3d& direction);
 
-/// The twin of a tip, one of `all`, as long as they go on together; else null.
+/// The other branch of a tip, one of `all`, while both propagate together; else null.
 const GrowingTip* near_twin(const BreakableShell& shell, const GrowingTip& tip,
                             std::span<const GrowingTip> all);
 

@@ -14,12 +14,12 @@
 namespace sherd {
 namespace {
 
-/// An edge may leave the direction by 78 degrees: with less a structured mesh has none at all in some
-/// directions.
+/// Cosine of the largest angle, 78 degrees, between an edge and the direction: with less a structured mesh
+/// has no edge at all in some directions.
 constexpr double least_progress = 0.2;
-/// Of two tips this near, in edges, only the one that bears more goes on at a time.
+/// Distance, in edges, below which only the more overloaded of two tips propagates at a time.
 constexpr double apart_edges = 2;
-/// Share of the toughness that a tip must bear to be recorded: others rest.
+/// Least intensity over toughness for a tip to be recorded.
 constexpr double least_recorded = 0.1;
 
 }  // namespace
@@ -111,7 +111,7 @@ GrowingTip CrackGrowth::moved(const GrowingTip& tip, const Vector3d& direction, 
     next.stride = way.dot(direction);
     const double limit = shell.toughness_at(tip.vertex).speed_limit;
     if (timeless) return next;
-    // When in the step it goes on: steps would make its speed jump.
+    // The tip starts within the step: if it started with the step, its speed would jump.
     next.since = std::max(tip.ready, begin);
     next.before = tip.stride > 0 ? tip.stride / (next.since - tip.since) : limit;
     next.ready = next.since + next.stride / limit;
@@ -143,7 +143,7 @@ std::optional<CrackStep> CrackGrowth::along_edges(const Overloaded& one, double 
 CrackStep CrackGrowth::along_ray(const Overloaded& one) const {
     const GrowingTip& tip = all[one.tip];
     const Vector3d normal = rest_normal_at(shell, Vertex(tip.vertex));
-    // Where the last edge missed the path, this one leads back to it.
+    // Leads back to the path where the last edge missed it.
     const Vector3d aim =
         tip.on_path + edge_length_ahead(shell, tip) * one.direction - shell.mechanics().rest.col(tip.vertex);
     const Vector3d ray = (aim - normal * normal.dot(aim)).normalized();
@@ -180,7 +180,7 @@ std::optional<CrackStep> CrackGrowth::step_of(const Overloaded& one, double begi
 std::vector<CrackStep> CrackGrowth::next(const Judged& now) {
     std::vector<CrackStep> steps;
     if (!is_needed) return steps;
-    // Births come first: their edges are of the mesh as it is.
+    // Nucleation comes first: its edge belongs to the mesh before any insertion.
     if (const std::optional<Edge> born = birth.next(now.strains, now.measures, all, now.waited))
         steps.push_back({{}, *born});
     judge_tips(now);
@@ -233,10 +233,10 @@ void CrackGrowth::done(std::span<const CrackStep> steps, double end) {
         const double ready = end + (timeless ? 0 : 0.5 * way.norm() / limit);
         for (const auto& [at, direction] : {std::pair(a, Vector3d(-way)), std::pair(b, way)}) {
             add_tip(at, direction, edge, ready);
-            all.back().since = end - (timeless ? 0 : 0.5 * way.norm() / limit);  // it began in the middle
+            all.back().since = end - (timeless ? 0 : 0.5 * way.norm() / limit);  // began in the middle
         }
     }
-    // A tip that has arrived at the boundary or at another crack is none any more.
+    // A tip that has reached the boundary or another crack is a tip no longer.
     std::erase_if(all, [&](const GrowingTip& tip) { return !shell.cracks().is_tip(Vertex(tip.vertex)); });
     mesh_changed();
 }

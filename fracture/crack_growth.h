@@ -10,47 +10,47 @@
 
 namespace sherd {
 
-/// What cracks are judged by: a solution of the sheets in a step that lasts from `begin` to `end` s.
+/// The state that cracks are evaluated in: a solution of the sheets in a step from `begin` to `end` (s).
 struct Judged {
     const FaceStrains& strains;
     const HingeMeasures& measures;
     double begin, end;
-    double waited;  ///< s, by which births have come nearer since the last time
-    /// Nothing where tips are judged by stress: see load_by_stress().
+    double waited;  ///< s, time since the last evaluation that counts towards nucleation
+    /// Empty where tips are evaluated by stress: see load_by_stress().
     std::optional<Equilibrium> equilibrium;
-    /// Whether an edge that has failed is still held by what has not faded yet.
+    /// Whether a cohesive force still holds a failed edge.
     std::function<bool(Index edge)> is_opening;
 };
 
-/// One edge by which a crack is born, or goes on.
+/// An edge by which a crack nucleates or propagates.
 struct CrackStep {
-    std::optional<std::size_t> tip;   ///< which of tips() goes on; none: a birth
-    Edge edge = {};                   ///< none yet: it is to be made, along the ray
+    std::optional<std::size_t> tip;   ///< index into tips(); none: nucleation
+    Edge edge = {};                   ///< invalid: to be inserted along the ray
     Vector3d ray = Vector3d::Zero();  ///< unit vector from the tip's vertex
-    GrowingTip next = {};             ///< what becomes of the tip
-    bool is_branch = false;           ///< it leaves the tip beside another edge, as a new tip
+    GrowingTip next = {};             ///< the tip after this step
+    bool is_branch = false;           ///< whether this is the second branch of the tip, with a new tip
 };
 
-/// The cracks of sheets that have a toughness: where they are born (CrackBirth), and where they go on.
+/// The cracks of sheets that have a toughness: where they nucleate (CrackBirth) and propagate.
 ///
-/// A tip goes on where its intensity is over the toughness, by the energy that it releases (TipEnergy) or by
-/// the stress ahead of it (load_by_stress()); at most so fast as the speed limit says, and not before the
-/// edge behind it has opened; in two ways where it branches (branches()). It takes an edge that is made along
-/// its path, or the one that is nearest to it (CrackPath), and keeps in mind by how much an edge misses the
-/// path.
+/// A tip propagates where its stress intensity exceeds the toughness, by the energy that it releases
+/// (TipEnergy) or by the stress ahead of it (load_by_stress()); not faster than the speed limit, not before
+/// the edge behind it has opened, and in two directions where it branches (branches()). It follows an edge
+/// that is inserted along its path, or the edge nearest to the path (CrackPath), and remembers by how much an
+/// edge misses the path.
 class CrackGrowth {
   public:
-    /// The shell must outlive this object. timeless: in statics, where nothing takes time.
+    /// The shell must outlive this object. timeless: whether cracks take no time, as in statics.
     CrackGrowth(const BreakableShell& shell, MembraneModel membrane, bool timeless);
 
     /// Whether a sheet has a toughness.
     bool needed() const { return is_needed; }
 
-    /// What cracks do next: at most one birth, and one edge for each tip, or two. Tips that meet may have the
-    /// same.
+    /// The next edges of all cracks: at most one nucleation, and one edge for each tip, or two where it
+    /// branches. Tips that meet may have the same edge.
     std::vector<CrackStep> next(const Judged& now);
-    /// Lets a step take the edge that has been made for it, in a time step that began at `begin` (s). Returns
-    /// false if its tip cannot go there.
+    /// Enters the edge that has been inserted for `step`, in a time step that began at `begin` (s). Returns
+    /// false if its tip cannot propagate along it.
     bool take(const BreakableShell::Advanced& made, double begin, CrackStep& step) const;
     /// Must be called when the edges of these steps have failed, and the mesh has opened, at the end of a
     /// step (s).
@@ -61,10 +61,10 @@ class CrackGrowth {
     }
 
     const std::vector<GrowingTip>& tips() const { return all; }
-    /// The tips that bear something worth a record, as they were judged last, without step and time; x: [3,
-    /// V] m.
+    /// Records of the tips whose load is not negligible, as of their last evaluation, without step and time.
+    /// x: [3, V] m.
     std::vector<TipRecord> records(const Positions& x, double time) const;
-    /// What is known of the energy of tips follows from the mesh.
+    /// The energy of tips is not stored: it follows from the mesh.
     void visit_state(StateVisitor& visit) {
         auto& [shell, timeless, is_needed, birth, energy, all, judged, numbers] = *this;
         visit(birth, all, judged, numbers);
@@ -72,12 +72,12 @@ class CrackGrowth {
     }
 
   private:
-    /// A tip as it was judged last.
+    /// A tip at its last evaluation.
     struct JudgedTip {
         Index number;  ///< GrowingTip::number
         TipLoad load;
         double ratio;   ///< intensity over toughness
-        bool is_ready;  ///< whether it may go on
+        bool is_ready;  ///< whether it may propagate
     };
     struct Overloaded {
         std::size_t tip;
@@ -86,25 +86,26 @@ class CrackGrowth {
     };
     TipLoad load(const GrowingTip& tip, const Judged& now);
     void judge_tips(const Judged& now);
-    /// Intensity over toughness of a tip that may go on, with that of a near twin; else 0.
+    /// Intensity over toughness of a tip that may propagate, the root mean square with that of a near branch;
+    /// else 0.
     double joint_ratio(std::size_t tip) const;
-    /// The tips that go on, the most overloaded first, without those that another one of them is near to.
+    /// The tips that propagate, the most overloaded first, without those near to a more overloaded one.
     std::vector<Overloaded> overloaded() const;
-    /// The directions in which a tip goes on at `end` (s): two, where it branches, which begins a path of its
-    /// own for each and forgets what has fed it.
+    /// The directions in which a tip propagates at `end` (s): two where it branches. Branching starts a path
+    /// for each branch and resets the mean release.
     std::vector<Vector3d> ways_of(const Overloaded& one, double end);
-    /// The edge by which a tip goes on, as its sheet's CrackPath says.
+    /// The step of a tip that propagates, as its sheet's CrackPath says.
     std::optional<CrackStep> step_of(const Overloaded& one, double begin) const;
-    /// The edge nearest to the path of a tip that goes on in a direction; nothing where there is none.
+    /// The step along the edge nearest to the path of a tip; nothing where there is none.
     std::optional<CrackStep> along_edges(const Overloaded& one, double begin) const;
     CrackStep along_ray(const Overloaded& one) const;
-    /// What becomes of a tip that goes on in a direction, by an edge with this other end.
+    /// The tip after it has propagated in `direction` along `edge`, whose other end is `to`.
     GrowingTip moved(const GrowingTip& tip, const Vector3d& direction, Edge edge, Index to,
                      double begin) const;
     void add_tip(Vertex vertex, const Vector3d& direction, Edge behind, double ready);
-    /// Adds what became of a tip beside its other branch.
+    /// Adds the second branch of a tip.
     void add_branch(GrowingTip tip);
-    /// The tips of the cracks that there are, each away from its crack.
+    /// Adds the tips of existing cracks, each directed away from its crack.
     void find_tips();
 
     const BreakableShell& shell;
@@ -113,7 +114,7 @@ class CrackGrowth {
     TipEnergy energy;
     std::vector<GrowingTip> all;
     std::vector<JudgedTip> judged;
-    Index numbers = 0;  ///< of tips that there have been
+    Index numbers = 0;  ///< count of all tips so far
 };
 
 }  // namespace sherd

@@ -86,7 +86,8 @@ void CrackMesh::follow(const TopologyChange& change) {
         if (is_cracked(vertex.element)) to_open.push_back(vertex.element);
 }
 
-// Of the halves of a lip, the one that still meets the other lip goes on as a side of the same crack.
+// When an edge of a crack face is split, the half that still meets the opposite face keeps the common
+// original.
 void CrackMesh::share_origin(const Born<Edge>& born) {
     const Edge half = born.parent();
     const auto meets_other_lip = [&](Vertex end) {

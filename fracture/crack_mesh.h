@@ -19,8 +19,8 @@ class CrackMesh {
 
     const Mesh& mesh() const { return halfedges; }
     EdgeState state(Edge edge) const { return states[edge]; }
-    /// The vertex of the uncut mesh that `vertex` is, or is a copy of; edges likewise. What was born is its
-    /// own original.
+    /// The vertex of the unfractured mesh that `vertex` is, or is a copy of; edges likewise. An inserted
+    /// element is its own original.
     Vertex original(Vertex vertex) const { return vertex_origin[vertex]; }
     Edge original(Edge edge) const { return edge_origin[edge]; }
     /// Whether the edge is on the boundary of the sheet, and not of a crack.
@@ -30,9 +30,9 @@ class CrackMesh {
     /// Whether a crack ends at `vertex` inside the sheet: exactly one failed edge leads there.
     bool is_tip(Vertex vertex) const;
 
-    /// What the failure of some edges changed.
+    /// The changes by the failure of some edges.
     struct Change {
-        std::vector<int> boundary_vertices;  ///< of each failed edge: 0, 1 or 2 for the paper's B0, B1 or B2
+        std::vector<int> boundary_vertices;  ///< for each failed edge: 0, 1 or 2 for the paper's B0, B1 or B2
         TopologyChange topology;
     };
 
@@ -42,9 +42,9 @@ class CrackMesh {
     /// given twice.
     Change fail(std::span<const Edge> edges);
 
-    /// Makes an edge along a ray: see advance_edge(). Vertices of cracks keep their place, and edges that
-    /// have failed stay as lines, besides what options.kept says. The edge itself does not fail. Where it
-    /// ends at an edge that has failed and is still closed, that opens there when the next edge fails.
+    /// Inserts an edge along a ray: see advance_edge(). Besides options.kept, vertices of cracks keep their
+    /// place, and failed edges stay as lines. The new edge does not fail yet. Where it ends at a failed edge
+    /// that is still closed, the latter opens there when the next edge fails.
     std::optional<AdvancedEdge> advance(Vertex tip, const Eigen::Vector3d& direction,
                                         const AdvanceOptions& options);
 
@@ -60,7 +60,7 @@ class CrackMesh {
     std::vector<Vertex> vertex_origin;
     std::vector<Edge> edge_origin;
     std::vector<char> outline;    ///< [E]
-    std::vector<Vertex> to_open;  ///< born on failed edges that are closed: they open with the next failure
+    std::vector<Vertex> to_open;  ///< inserted on failed, closed edges; they split at the next failure
 };
 
 }  // namespace sherd

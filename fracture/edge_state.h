@@ -5,7 +5,7 @@
 
 namespace sherd {
 
-/// State of an edge (paper, appendix B). It only advances.
+/// State of an edge (paper, appendix B). It only increases.
 enum class EdgeState : std::uint8_t {
     interior = 0,            ///< has a hinge
     fractured_interior = 1,  ///< failed but closed: its two faces share both end points

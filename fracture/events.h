@@ -39,24 +39,24 @@ struct VertexSplit {
     Index created = 0;
 };
 
-/// A new fragment. Those that exist from the beginning have no event.
+/// A new fragment. Fragments that exist from the beginning have no event.
 struct FragmentBirth {
     double time = 0;
     std::int64_t step = 0;
     Index fragment = 0;
-    Index parent = 0;  ///< the fragment that it was a part of, which keeps its number
+    Index parent = 0;  ///< the fragment that it separated from, which keeps its number
 };
 
-/// A vertex that was born inside an edge or a face.
+/// A vertex that was inserted in an edge or a face.
 struct VertexBirth {
     double time = 0;
     std::int64_t step = 0;
     Index created = 0;
-    std::array<Index, 3> parents{};   ///< vertices between which it was born, as they were numbered then
-    std::array<double, 3> weights{};  ///< their shares at rest, which sum to 1; inside an edge the last is 0
+    std::array<Index, 3> parents{};   ///< vertices between which it was inserted, as they were numbered then
+    std::array<double, 3> weights{};  ///< their shares at rest, which sum to 1; in an edge the last is 0
 };
 
-/// A face that was born when others were cut: `parent` is the one that it has most of.
+/// A face that was inserted when others were split: `parent` is the one that covers most of it.
 struct FaceBirth {
     double time = 0;
     std::int64_t step = 0;
@@ -64,23 +64,23 @@ struct FaceBirth {
     Index parent = 0;
 };
 
-/// A tip of a crack by toughness at the end of a step, as it was judged last.
+/// A tip of a crack by toughness at the end of a step, as it was evaluated last.
 struct TipRecord {
     double time = 0;
     std::int64_t step = 0;
-    Index tip = 0;  ///< its number, which lasts
+    Index tip = 0;  ///< lasting number
     Index vertex = 0;
     Vector3d position = Vector3d::Zero();   ///< m
-    Vector3d direction = Vector3d::Zero();  ///< in which it came, as the sheet lies now, a unit vector
+    Vector3d direction = Vector3d::Zero();  ///< unit vector of its path so far, in the deformed sheet
     double speed = 0;                       ///< m/s; 0 in statics
     double released = 0;                    ///< G, J/m^2
     double toughness = 0;                   ///< G_c, J/m^2
-    bool by_energy = false;                 ///< whether G is a configurational force; else it is by stress
-    double opening = 0, shear = 0;          ///< K_I and K_II of the membrane, Pa m^0.5
-    double bending = 0, twist = 0;          ///< k_1 and k_2 of bending, Pa m^0.5
+    bool by_energy = false;         ///< whether G is a configurational force; else it follows from stress
+    double opening = 0, shear = 0;  ///< K_I and K_II of the membrane, Pa m^0.5
+    double bending = 0, twist = 0;  ///< k_1 and k_2 of bending, Pa m^0.5
 };
 
-/// The events of fracture, in order.
+/// The events of fracture, in chronological order.
 struct CrackEvents {
     std::vector<EdgeFailure> failures;
     std::vector<EdgeOpening> openings;
@@ -108,10 +108,11 @@ void visit_kinds(Visit visit) {
     visit(&CrackEvents::tips);
 }
 
-/// Sets the time (s) of the events of step `step`, which are the last ones.
+/// Sets the time (s) of the last events, those of step `step`.
 void set_time(CrackEvents& events, std::int64_t step, double time);
 
-/// Appends what was born in a change of the mesh in step `step`: copies of vertices, vertices and faces.
+/// Appends the new elements of a change of the mesh in step `step`: copies of vertices, inserted vertices and
+/// faces.
 void append_births(const TopologyChange& change, std::int64_t step, CrackEvents& events);
 
 /// Appends later events.

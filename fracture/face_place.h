@@ -5,7 +5,7 @@
 
 namespace sherd {
 
-/// Says for people where a face is; sheet -1: none.
+/// Place of a face for messages and reports; sheet -1: none.
 struct FacePlace {
     Index sheet = -1;                  ///< number of the input
     Vector3d rest = Vector3d::Zero();  ///< m, the middle of the face at rest

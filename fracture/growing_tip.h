@@ -7,32 +7,33 @@
 
 namespace sherd {
 
-/// A tip of a crack in a sheet that has a toughness. All of it is of the rest shape.
+/// A tip of a crack in a sheet that has a toughness. Places and directions are those of the rest shape.
 struct GrowingTip {
     Index vertex = 0;
-    Vector3d on_path = Vector3d::Zero();     ///< m, the point of the true path that the vertex stands for
-    Vector3d direction = Vector3d::UnitX();  ///< in which the crack came, a unit vector in the tangent plane
-    double ready = 0;                        ///< s, before which the speed limit does not let it go on
-    Index behind = -1;                       ///< the edge that failed last, which must have opened before
-    Index number = 0;                        ///< of all tips that there have been
+    Vector3d on_path = Vector3d::Zero();     ///< m, point of the exact path for which the vertex stands
+    Vector3d direction = Vector3d::UnitX();  ///< unit vector of the path so far, in the tangent plane
+    double ready = 0;                        ///< s, earliest time of propagation, by the speed limit
+    Index behind = -1;                       ///< edge that failed last and must have opened first
+    Index number = 0;                        ///< unique among all tips so far
     Index twin = -1;                         ///< number of the other tip of the last branching; -1: none
     double release = 0;                      ///< mean of G / G_c over the last edges
-    double stride = 0;                       ///< m, of its last edge along the path
-    double since = 0;                        ///< s, from which on the last edge went
-    double before = 0;                       ///< m/s, its speed along the edge before
+    double stride = 0;                       ///< m, length of its last edge along the path
+    double since = 0;                        ///< s, time at which its last edge began
+    double before = 0;                       ///< m/s, speed along the edge before the last
 
-    /// m/s, at a time (s): as along the edge before, until the next one is late.
+    /// Speed, m/s, at a time (s): as along the edge before, until the last edge takes longer than at that
+    /// speed.
     double speed(double time) const {
         return stride > 0 ? stride / std::max(time - since, stride / before) : 0;
     }
 };
 
-/// What a tip bears.
+/// Load on a tip.
 struct TipLoad {
-    double intensity = 0;                    ///< K, Pa m^0.5: it goes on where this exceeds the toughness
-    Vector3d direction = Vector3d::UnitX();  ///< in which it then goes on, a unit vector in the tangent plane
+    double intensity = 0;                    ///< K, Pa m^0.5: the tip propagates if it exceeds the toughness
+    Vector3d direction = Vector3d::UnitX();  ///< unit vector of propagation, in the tangent plane
     double residual = 0;                     ///< share of residual stress in the energy released
-    bool by_energy = false;                  ///< whether the intensity is that of the energy released
+    bool by_energy = false;                  ///< whether the intensity follows from the energy released
     ModePair membrane;                       ///< K_I, K_II, Pa m^0.5
     ModePair plate;                          ///< k_1, k_2, Pa m^0.5
 };

@@ -10,7 +10,7 @@
 namespace sherd {
 namespace {
 
-/// The sides that a hinge joins, of T0 and of T1, as sides_of_hinges() has them.
+/// The sides of T0 and T1 that a hinge joins, in the order of sides_of_hinges().
 std::array<TriangleEdge, 2> sides_of(const BreakableShell& shell, std::size_t hinge) {
     std::array<TriangleEdge, 2> sides;
     const Edge edge = shell.edge_of_hinge(hinge);
@@ -25,7 +25,8 @@ std::array<TriangleEdge, 2> sides_of(const BreakableShell& shell, std::size_t hi
     return sides;
 }
 
-/// The dot product with a strain (00, 11, 2 * 01) is its component across an edge of normal n.
+/// Returns the vector whose dot product with a strain (00, 11, 2 * 01) is the component across an edge of
+/// normal n.
 Vector3d across(const Vector2d& n) {
     return Vector3d(n.x() * n.x(), n.y() * n.y(), n.x() * n.y()) / n.squaredNorm();
 }
@@ -65,7 +66,8 @@ HingeMeasures hinge_measures(const BreakableShell& shell, const Positions& x,
     const Eigen::Matrix3Xd curvature =
         curvatures ? *curvatures : curvatures_of_hinges(mechanics, sides, bending, AngleShare::equal);
 
-    // What the plane's elasticity makes of both, N/m and N/m^2, with the third component twice.
+    // Products of the plane-stress elasticity with strain and curvature, N/m and N/m^2, the third component
+    // doubled.
     Eigen::Matrix3Xd force(3, green.cols()), moment(3, green.cols());
     for (Eigen::Index face = 0; face < green.cols(); ++face) {
         const Matrix3d& elasticity = mechanics.triangles[static_cast<std::size_t>(face)].membrane.elasticity;

@@ -30,11 +30,11 @@ struct HingeMeasures {
 /// the edge of their Green strain plus half the thickness times their change of curvature; the stress follows
 /// with the membrane's plane-stress elasticity. curvatures: the faces' changes of curvature, [3, F], 1/m, as
 /// (00, 11, 2 * 01) in their rest frames (ShellEnergies::coupled_curvatures()); without them they follow from
-/// the changes of each face's own hinges' angles, which is all that uncoupled hinges know. In pure bending
-/// `strain` is a curvature, like the paper's measure; unlike the paper's, it includes in-plane stretch, and
-/// the bending of a face as a whole. strains: the faces' Green strain, [3, F]
-/// (ShellEnergies::face_strains()); without them it is that of their corners. kept: what the faces keep of
-/// their curvature (ShellEnergies::kept_curvatures()), which is strained and has no stress. x: [3, V] m.
+/// the changes of the angles of each face's own hinges, as for uncoupled hinges. In pure bending `strain` is
+/// a curvature, like the paper's measure; unlike the paper's, it includes in-plane stretch, and the bending
+/// of a face as a whole. strains: the faces' Green strain, [3, F] (ShellEnergies::face_strains()); without
+/// them it follows from the faces' corners. kept: plastic part of the faces' curvature
+/// (ShellEnergies::kept_curvatures()), which adds to the strain and not to the stress. x: [3, V] m.
 HingeMeasures hinge_measures(const BreakableShell& shell, const Positions& x,
                              const std::optional<Eigen::Matrix3Xd>& curvatures = {},
                              const std::optional<Eigen::Matrix3Xd>& strains = {},

@@ -12,7 +12,7 @@ constexpr VectorXd HingeMeasures::*all[] = {&HingeMeasures::bending, &HingeMeasu
 }  // namespace
 
 void HingePeaks::judge(const BreakableShell& shell, const HingeMeasures& measures) {
-    // Most edges that were appended are sides of cracks, which have no hinge.
+    // The list ends with the last edge that has a hinge: most appended edges are crack faces, without one.
     Eigen::Index edges = peaks.strain.size();
     if (edges == 0) edges = static_cast<Eigen::Index>(shell.mesh().number_of_edges());
     for (const Index edge : shell.mechanics().hinge_edge) edges = std::max<Eigen::Index>(edges, edge + 1);

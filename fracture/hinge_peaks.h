@@ -6,7 +6,7 @@
 
 namespace sherd {
 
-/// The largest measures of each hinge so far, as they are in each step before anything breaks in it.
+/// The largest measures of each hinge so far, each taken before anything fails in its step.
 class HingePeaks {
   public:
     /// Records the measures in the step that is being solved. They replace those of an earlier attempt at it.
@@ -14,8 +14,8 @@ class HingePeaks {
     /// Makes the recorded measures final, when the step is finished.
     void finish_step();
 
-    /// In the order of the unbroken mesh's edges, failed ones included, and as far as later edges have
-    /// hinges; 0 where there was none.
+    /// [E0 or more] in the order of edges: all of the unfractured mesh, failed ones included, and inserted
+    /// ones up to the last that had a hinge; 0 for edges that never had one.
     const HingeMeasures& of_edges() const { return peaks; }
 
     void visit_state(StateVisitor& visit) {

@@ -6,8 +6,8 @@
 
 namespace sherd {
 
-/// Lets what loads and winds refer to stay where triangles change: vertices under forces, sides under moments
-/// (of the boundary), and the borders of what is under pressure or in a wind.
+/// Protects the geometry of loads and winds from changes of the mesh: vertices under forces, boundary edges
+/// under moments, and the borders of faces under pressure or in a wind.
 void keep_loads(BreakableShell& sheets, const ShellEnergyOptions& options);
 
 }  // namespace sherd

@@ -9,7 +9,7 @@
 namespace sherd {
 namespace {
 
-constexpr double rounding = 1e-9;  // of the thickness: ends of two lips nearer than this are one place
+constexpr double rounding = 1e-9;  // share of the thickness below which ends of opposite edges coincide
 
 Index number(Vertex vertex) {
     return static_cast<Index>(vertex);
@@ -21,7 +21,7 @@ Halfedge inner(const Mesh& mesh, Edge edge) {
     return mesh.is_border(h) ? mesh.opposite(h) : h;
 }
 
-/// Whether two elements are nearer than half the sum of their thicknesses, or as near.
+/// Whether the distance of two elements is at most half the sum of their thicknesses.
 bool elements_overlap(PairKind kind, const Shell& shell, const Positions& x,
                       const std::array<Vertex, 4>& of) {
     std::array<Index, 4> vertices;
@@ -41,7 +41,7 @@ bool overlaps_faces(const Mesh& mesh, const Shell& shell, const Positions& x, Ve
     });
 }
 
-/// A lip, or a piece of one, with the triangle that it is a side of.
+/// An edge of a crack face, with the triangle that it is a side of.
 struct LipSide {
     LipSide(const Mesh& mesh, const Shell& shell, Halfedge h)
         : ends{mesh.source(h), mesh.target(h)},
@@ -50,8 +50,9 @@ struct LipSide {
           length((rest.col(number(ends[0])) - rest.col(number(ends[1]))).norm()),
           reach(rounding * shell.thickness[number(ends[0])]) {}
 
-    /// Where a vertex of the other lip lies along this one at rest: 0 at its first end, 1 at its second one,
-    /// exactly if it was born with that or the two lips were cut at one place, each by a crack of its own.
+    /// Position of a vertex of the opposite crack face along this edge at rest: 0 at the first end, 1 at the
+    /// second. It is exactly 0 or 1 if the vertex is a copy of that end, or if both crack faces were split at
+    /// the same place, each by a crack of its own.
     double place(Vertex vertex) const {
         const Vector3d at = rest.col(number(vertex)), start = rest.col(number(ends[0])),
                        end = rest.col(number(ends[1]));
@@ -103,7 +104,7 @@ bool Lips::apart(const Mesh& mesh, const Shell& shell, const Positions& x, const
     for (const Halfedge a : mesh.halfedges_around_target(mesh.halfedge(v)))
         for (const Halfedge b : mesh.halfedges_around_target(mesh.halfedge(w))) {
             const Vertex p = mesh.source(a), q = mesh.source(b);
-            if (p == q || twins.has(p, q)) continue;  // they share a vertex, or are other twins
+            if (p == q || twins.has(p, q)) continue;  // shared vertex, or another coincident pair
             if (elements_overlap(PairKind::edge_edge, shell, x, {p, v, q, w})) return false;
         }
     return true;
@@ -139,7 +140,7 @@ void Lips::write(const Mesh& mesh, Shell& shell) const {
                  {std::pair{mesh.target(facing), from}, {mesh.source(facing), to}}) {
                 const bool ahead = place >= 0 && place <= 1;
                 if (!ahead || !(twins.has(lip.ends[0], end) || twins.has(lip.ends[1], end))) continue;
-                // Where both have an end, each is held in front of the other one.
+                // Ends that meet are both kept in front of the other edge, so each has half the stiffness.
                 const bool meets_end = place == 0 || place == 1;
                 shell.lips.push_back({lip.stencil(end), meets_end ? stiffness : 2 * stiffness});
             }

@@ -11,32 +11,34 @@
 
 namespace sherd {
 
-/// The lips of cracks, from their opening until they are as far apart as the sheet is thick.
+/// Crack faces (lips), from their opening until their distance exceeds the sheet's thickness.
 ///
-/// Vertices that a crack has split are twins: they coincide, and the barrier of SheetContact is infinite
-/// there, so elements with one twin each do not collide. Until they are released LipContact keeps the two
-/// edges of an opened crack apart; from then on SheetContact does, for good.
+/// The copies of a vertex that a crack has split coincide at first, where the barrier of SheetContact is
+/// infinite. So two elements do not collide if each contains one vertex of a coincident pair. Until they are
+/// released, LipContact keeps the two edges of an opened crack apart; from then on SheetContact does,
+/// permanently.
 class Lips {
   public:
-    /// Registers vertices that coincide from the beginning, as along a seam that is not joined, as twins
-    /// without lips.
+    /// Registers two coincident vertices without crack faces, such as those along a seam.
     void lie_together(Vertex a, Vertex b) { twins.add(a, b); }
 
     /// Must be called when the mesh was opened.
     void open(const TopologyChange& change);
 
-    /// Must be called when faces have been cut. A vertex that was born on a lip lies on the other one, too:
-    /// it is a twin of both ends of the edge there.
+    /// Must be called when faces have been split. A vertex inserted on one crack face lies on the opposite
+    /// face, too: it counts as coincident with both ends of the edge there.
     void cut(const Mesh& mesh, const TopologyChange& change);
 
-    /// Releases the twins whose elements are all farther apart at x [3, V] m than the sheet is thick;
-    /// elements that still share a vertex or have other twins do not count. Returns whether there were any.
+    /// Releases the coincident vertices whose elements are all farther apart at x ([3, V] m) than the sheet
+    /// is thick, except elements that still share a vertex or contain another coincident pair. Returns
+    /// whether there were any.
     bool release(const Mesh& mesh, const Shell& shell, const Positions& x);
 
-    /// Adds to sheet.twins and sets sheet.lips. A lip resists overlap like a column of sheet whose
-    /// cross-section is the lip's length times the thickness and whose length is the thickness: the force per
-    /// metre of crack is Y / 2 times the overlap, on any mesh. Where a lip has been cut, its pieces face what
-    /// they lie on: each end of the way that two have in common is held in front of the other one.
+    /// Adds to shell.twins and sets shell.lips. A crack face resists overlap like a column of sheet whose
+    /// cross-section is the face's length times the thickness and whose length is the thickness: the force
+    /// per metre of crack is Y / 2 times the overlap, on any mesh. Where an edge of a crack face has been
+    /// split, each half is paired with the opposite edge: vertices within their common length are kept in
+    /// front of the other edge.
     void write(const Mesh& mesh, Shell& shell) const;
 
     bool has_twin(Vertex vertex) const { return twins.has(vertex); }
@@ -52,7 +54,7 @@ class Lips {
     bool apart(const Mesh& mesh, const Shell& shell, const Positions& x, const Twins& pair) const;
 
     VertexPairs twins;
-    std::vector<std::array<Edge, 2>> edges;  ///< opened edges: that of one face, and that of the other
+    std::vector<std::array<Edge, 2>> edges;  ///< opened edges: one of each crack face
 };
 
 }  // namespace sherd

@@ -6,9 +6,9 @@
 
 namespace sherd {
 
-/// Visits a mesh: how its elements hang together, by their numbers, its points and what it has of the
-/// properties of mesh.h, face_groups.h, read_mesh.h, file_weights.h, surface_colour.h and surface_material.h.
-/// Throws std::logic_error for a mesh with removed elements, which a crack never leaves.
+/// Visits a mesh: its connectivity by element numbers, its points, and its properties of mesh.h,
+/// face_groups.h, read_mesh.h, file_weights.h, surface_colour.h and surface_material.h. Throws
+/// std::logic_error if the mesh has removed elements, which no crack leaves.
 void visit_mesh(StateVisitor& visit, Mesh& mesh);
 
 }  // namespace sherd

@@ -12,16 +12,17 @@
 namespace sherd {
 namespace {
 
-/// Energy that a freed end of a strip loses, for each metre, over S^2 t^2 (1 - nu^2) / Y.
+/// Energy per metre that a freed end of a strip releases, over S^2 t^2 (1 - nu^2) / Y.
 constexpr double released_by_end = 0.0368;
-/// So many reaches beside a crack nothing has gone any more.
+/// Distance from a crack, in reaches, beyond which no energy has been released.
 constexpr double far = 5;
-/// Points beside a piece are this share of the reach apart.
+/// Distance between sample points beside a piece, in reaches.
 constexpr double fineness = 0.1;
-/// Lines that touch each other with an end, by this share of their length, do not cross.
+/// Tolerance, in lengths of a line, within which lines that touch at an end do not cross.
 constexpr double touch = 1e-6;
 
-/// How far a point is beside a piece, and which way that goes; infinite for one that is not beside it.
+/// Distance of a point from a piece, infinite if its projection is not on the piece, and the piece's
+/// direction.
 struct Beside {
     double distance;  ///< m
     Vector3d along;   ///< unit vector
@@ -34,7 +35,7 @@ Beside beside(const Vector3d& point, const CrackPiece& piece) {
     return {(away - share * way).norm(), way / length};
 }
 
-/// Which share of the way from a point a line goes, in the plane across a normal, until it crosses a piece;
+/// Share of `way` at which the line from `from` along it crosses a piece, in the plane of the given normal;
 /// infinite where it does not.
 double crossing(const Vector3d& from, const Vector3d& way, const CrackPiece& piece, const Vector3d& normal) {
     const Vector3d side = piece.to - piece.from, to = piece.from - from;
@@ -44,13 +45,13 @@ double crossing(const Vector3d& from, const Vector3d& way, const CrackPiece& pie
     return meets ? share : std::numeric_limits<double>::infinity();
 }
 
-/// What cracks of all directions have freed a point of.
+/// Shares of the energy at a point that cracks have released, for each range of directions.
 class Freed {
   public:
     explicit Freed(double reach) : reach(reach) { along.fill(Vector3d::Zero()); }
 
     double of(const Beside& crack) const { return std::exp(-crack.distance / reach); }
-    /// Which of the directions, that differ by 15 degrees, one is in, from `first` on about a normal.
+    /// Index of the direction's range of 15 degrees, counted from `first` about the normal.
     static std::size_t direction(const Vector3d& along, const Vector3d& first, const Vector3d& normal) {
         const double angle = std::atan2(normal.dot(first.cross(along)), first.dot(along)) / std::numbers::pi;
         return static_cast<std::size_t>((angle - std::floor(angle)) * directions) % directions;
@@ -61,7 +62,7 @@ class Freed {
         share[direction] = freed;
         along[direction] = crack.along;
     }
-    /// With one more crack.
+    /// The sum with one more crack.
     double with(const Beside& crack) const {
         double most = 0;
         for (std::size_t i = 0; i < directions; ++i)
@@ -78,7 +79,7 @@ class Freed {
 
   private:
     static constexpr std::size_t directions = 12;
-    /// Both, but of the lesser one only what it has across the other.
+    /// The sum of two shares, of the smaller one only the part across the other crack.
     static double pair(double a, const Vector3d& along_a, double b, const Vector3d& along_b) {
         const double cosine = along_a.dot(along_b);
         return std::max(a, b) + std::min(a, b) * (1 - cosine * cosine);
@@ -89,15 +90,15 @@ class Freed {
     std::array<Vector3d, directions> along;
 };
 
-/// What there is around a place of a sheet.
+/// Cracks and ends of the sheet around a place.
 struct Surroundings {
     Vector3d normal = Vector3d::Zero();
     std::vector<CrackPiece> cracks;
-    std::vector<CrackPiece> ends;  ///< of the sheet: cracks, and its outline
+    std::vector<CrackPiece> ends;  ///< cracks and the outline of the sheet
 };
 
-/// The faces that can be reached from a vertex, but not across lips, and of which a part may be within
-/// `reach` of it.
+/// The faces connected with those around a vertex, but not across cracks, that have a corner within `reach`
+/// (m) of it.
 std::vector<Index> faces_within(const BreakableShell& shell, Vertex from, double reach) {
     const Mesh& mesh = shell.mesh();
     const Shell& mechanics = shell.mechanics();
@@ -135,7 +136,7 @@ Surroundings surroundings(const BreakableShell& shell, Vertex from, double reach
     return around;
 }
 
-/// The share of a way that is within the sheet.
+/// Share of a path that lies within the sheet.
 double way_within(const Surroundings& around, const Vector3d& from, const Vector3d& way) {
     double share = 1;
     for (const CrackPiece& end : around.ends)
@@ -143,7 +144,8 @@ double way_within(const Surroundings& around, const Vector3d& from, const Vector
     return share;
 }
 
-/// The length, m, that a piece frees, of the line across it at one of its points to one side.
+/// Integral of the share that a piece releases, m, along the line across the piece from one of its points to
+/// one side.
 double freed_across(const Surroundings& around, const Vector3d& point, const CrackPiece& piece, double side,
                     double reach) {
     const Vector3d along = (piece.to - piece.from).normalized();

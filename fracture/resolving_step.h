@@ -5,9 +5,10 @@
 
 namespace sherd {
 
-/// The time (s) in which a tip goes on by an edge at its speed limit: the mean length of a sheet's edges at
-/// rest over its limit, the least of the sheets that have a toughness. Implicit steps that are longer stage
-/// several edges of one crack; explicit ones, which judge once, hold it back. Nothing where no sheet has one.
+/// The time (s) in which a tip advances by one edge at its speed limit: the mean length of a sheet's edges at
+/// rest over its limit, the least of all sheets that have a toughness. Longer implicit steps advance a crack
+/// by several edges in stages; longer explicit ones, which evaluate cracks once, slow it down. Nothing where
+/// no sheet has a toughness.
 std::optional<double> resolving_step(const BreakableShell& shell);
 
 }  // namespace sherd

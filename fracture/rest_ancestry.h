@@ -11,14 +11,14 @@
 
 namespace sherd {
 
-/// How the mesh of a breaking sheet lies in the one that it began as: what RestMesh tells.
+/// How the mesh of a sheet lies in the unfractured one, for RestMesh.
 class RestAncestry {
   public:
-    /// mesh: the unbroken one.
+    /// mesh: the unfractured one.
     explicit RestAncestry(const Mesh& mesh);
-    /// Must be called when the mesh has changed; mesh: after that. Born and moved vertices lie where they are
-    /// nearest to the unbroken faces of which the faces around them have a part. On a curved sheet they may
-    /// be off these, by what chords leave out.
+    /// Must be called when the mesh has changed; mesh: after the change. Inserted and moved vertices get the
+    /// nearest point of the unfractured faces that are parents of the faces around them. On a curved sheet
+    /// they may lie beside these, by the sagitta of a chord.
     void follow(const Mesh& mesh, const TopologyChange& change);
 
     /// [V] columns of RestMesh::position.
@@ -31,7 +31,7 @@ class RestAncestry {
     }
 
   private:
-    using Parts = std::map<Index, double>;  ///< of unbroken faces: fractions of their areas
+    using Parts = std::map<Index, double>;  ///< fraction of the area of each unfractured face
 
     struct Place {
         std::array<Index, 3> parents;
@@ -47,9 +47,9 @@ class RestAncestry {
     std::vector<std::array<Index, 3>> unbroken;  ///< [F0]
     std::vector<double> area;                    ///< [F0] m^2
     std::vector<Index> column;                   ///< [V]
-    std::vector<Index> vertex;                   ///< [R] one that is there
+    std::vector<Index> vertex;                   ///< [R] one of the mesh's vertices there
     std::vector<Place> places;                   ///< [R]
-    std::map<Index, Parts> reshaped;             ///< of faces that are not unbroken ones
+    std::map<Index, Parts> reshaped;             ///< parts of faces that are not whole unfractured ones
 };
 
 }  // namespace sherd

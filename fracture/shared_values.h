@@ -10,14 +10,14 @@
 
 namespace sherd {
 
-/// Values that faces share, each once, and which of them each face has.
+/// Distinct values of a face property, and the number of each face's value.
 template <class T>
 struct SharedValues {
-    std::vector<T> rows = {};        ///< in the order in which faces have them first
-    std::vector<Index> number = {};  ///< [F] of the row, -1: none; empty: the mesh has no such property
+    std::vector<T> rows = {};        ///< in the order of their first faces
+    std::vector<Index> number = {};  ///< [F] row of each face, -1: none; empty: the mesh has no such property
 };
 
-/// Of the property `name`, whose values are std::shared_ptr<const T>.
+/// Reads the property `name`, whose values are std::shared_ptr<const T>.
 template <class T>
 SharedValues<T> shared_values(const Mesh& mesh, const char* name) {
     SharedValues<T> shared;
@@ -37,7 +37,7 @@ SharedValues<T> shared_values(const Mesh& mesh, const char* name) {
     return shared;
 }
 
-/// Gives them back to the faces of a mesh that has the property.
+/// Writes the values to the faces of a mesh that has the property.
 template <class T>
 void give_values(const SharedValues<T>& shared, const char* name, Mesh& mesh) {
     auto values = find_property<Face, std::shared_ptr<const T>>(mesh, name).first;

@@ -20,15 +20,15 @@ struct MovingPin {
 
 /// The input of a simulation for one sheet.
 struct SheetInput {
-    Mesh mesh;                      ///< m, the rest shape at the place where the sheet starts
-    Positions start;                ///< [3, V] m, where its vertices start; without columns: at rest
-    Material material;              ///< of uneven sheets with their mean thickness
+    Mesh mesh;                      ///< m, the rest shape, placed where the sheet starts
+    Positions start;                ///< [3, V] m, start positions; without columns: the rest shape
+    Material material;              ///< with the mean thickness if the sheet is uneven
     std::vector<double> thickness;  ///< [V] m, linear in each face; empty: the material's everywhere
     std::vector<Vector3d>
-        axes;  ///< [F] first material axis of each face, in its plane; may be empty if nothing depends on it
-    Strength strength;                     ///< by default the sheet does not break
-    Toughness toughness;                   ///< by default cracks go by the strength, too
-    ArtDirection art_direction;            ///< by default it breaks whenever and into whatever it does
+        axes;  ///< [F] first material axis, in the face's plane; may be empty if nothing depends on it
+    Strength strength;                     ///< by default the sheet cannot fail
+    Toughness toughness;                   ///< by default cracks propagate by strength, too
+    ArtDirection art_direction;            ///< by default without limits
     Vector3d velocity = Vector3d::Zero();  ///< m/s
     Vector3d spin = Vector3d::Zero();      ///< rad/s, about the centre of mass
     std::vector<Index> pinned;             ///< vertices that are fixed or scripted

@@ -6,7 +6,7 @@
 #include "fracture/simulation.h"
 #include "meshops/error.h"
 
-// What is done to a simulation between two steps, from outside; simulation.cpp has the step.
+// Interventions in a simulation between two steps, by its caller; simulation.cpp has the step.
 
 namespace sherd {
 namespace {
@@ -23,7 +23,7 @@ void require_hinges(const BreakableShell& shell, std::span<const Edge> edges) {
     }
 }
 
-/// J, that residual stress loses to these edges, one after the other.
+/// Energy of residual stress, J, that the failure of these edges releases, one after the other.
 double residual_released(const BreakableShell& shell, std::span<const Edge> edges) {
     std::vector<CrackPiece> pieces;
     double released = 0;
@@ -75,7 +75,7 @@ void Simulation::prescribe(std::span<const Index> vertices, const Positions& pos
 void Simulation::set_motion(Index vertex, const Motion& motion) {
     Shell& shell = breakable.mechanics();
     Index& script = shell.script[vertex];
-    // Motions of the start are those of clamps, too, and copies of a vertex have the same one.
+    // Motions of the start may be shared with clamps, and those of a split vertex with its copies.
     const bool is_own = script > static_cast<Index>(scripts) && std::ranges::count(shell.script, script) == 1;
     if (!is_own) {
         shell.motions.emplace_back();
@@ -88,7 +88,8 @@ void Simulation::break_by_hand(std::span<const Edge> edges) {
     require_hinges(breakable, edges);
     const HingeMeasures measures = measured().hinges;
     residual -= residual_released(breakable, edges);
-    // A change of the shell belongs to an open step. The next one discards it, and books what is lost.
+    // A change of the shell needs an open step. The next begin() discards that step and books the energy that
+    // is lost.
     stepper->begin(step_size.size());
     break_edges(edges, measures, 0);
     stepper->position = breakable.mechanics().position;

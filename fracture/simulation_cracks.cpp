@@ -5,7 +5,7 @@
 #include "fracture/simulation.h"
 #include "fracture/small_pieces.h"
 
-// How edges fail and cracks go on in a step; simulation.cpp has the step.
+// Failure of edges and propagation of cracks in a step; simulation.cpp has the step.
 
 namespace sherd {
 void Simulation::break_edges(std::span<const Edge> edges, const HingeMeasures& measures, Index stage,

@@ -6,8 +6,8 @@
 namespace sherd {
 namespace {
 
-/// Whether the faces that hang together with `from`, without those that do so across `edge` only, are a piece
-/// of less than `area` (m^2) that `edge` alone ties to `other`.
+/// Whether the faces connected with `from` other than across `edge` form a piece of less than `area` (m^2)
+/// that `edge` alone connects with `other`.
 bool is_small_piece(const BreakableShell& shell, Edge edge, Face from, Face other, double area,
                     std::span<const char> gone) {
     const Mesh& mesh = shell.mesh();

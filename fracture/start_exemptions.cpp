@@ -19,7 +19,7 @@ std::vector<Corners> corners_around(const Mesh& mesh, Vertex vertex) {
     return around;
 }
 
-/// The ends of the edges at a vertex: of each the other one.
+/// The other ends of the edges at a vertex.
 std::vector<Index> neighbours(const Mesh& mesh, Vertex vertex) {
     std::vector<Index> ends;
     for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(vertex)))
@@ -27,14 +27,14 @@ std::vector<Index> neighbours(const Mesh& mesh, Vertex vertex) {
     return ends;
 }
 
-/// The pair of two faces, with the corners first that they share.
+/// Returns the pair of two faces, with their shared corners first.
 TrianglePair triangle_pair(const Positions& x, Corners a, Corners b) {
     TrianglePair pair;
     const auto is_in = [](const Corners& other) {
         return [&](Index v) { return std::ranges::count(other, v) > 0; };
     };
     const Corners given = a;
-    // Those of std::ranges do not compile with clang++ 14.
+    // std::ranges::stable_partition does not compile with clang++ 14.
     pair.shared = static_cast<int>(std::stable_partition(a.begin(), a.end(), is_in(b)) - a.begin());
     std::stable_partition(b.begin(), b.end(), is_in(given));
     for (int i = 0; i < 3; ++i) {
@@ -51,8 +51,8 @@ bool faces_meet(const Positions& x, const std::vector<Corners>& some, const std:
     });
 }
 
-/// How far apart two elements are to be, m: where they push no more; those that touch at rest, which push
-/// only where they do, as far as sheets are thick.
+/// Distance, m, at which two elements count as separated: their activation distance, or half the sum of their
+/// thicknesses if they touch at rest, where the activation distance is nearly zero.
 double needed(const Shell& shell, PairKind kind, const std::array<Index, 4>& vertices) {
     const double usual = activation_distance_of_sheets(shell, kind, vertices);
     const double together = half_thicknesses(shell, kind, vertices);
@@ -82,7 +82,8 @@ bool StartExemptions::apart(const Mesh& mesh, const Shell& shell, const VertexPa
     const Positions& x = shell.position;
     const std::vector<Corners> of_v = corners_around(mesh, v), of_w = corners_around(mesh, w);
     if (pair.reach == 0 && faces_meet(x, of_v, of_w)) return false;
-    // Elements that share a vertex do not collide, and those with another pair are not this one's.
+    // Elements that share a vertex do not collide, and elements that contain another exempt pair are left to
+    // it.
     const auto free = [&](PairKind kind, const std::array<Index, 4>& vertices) {
         const int first = vertices_of_first(kind);
         for (int i = 0; i < first; ++i)
@@ -110,7 +111,7 @@ bool StartExemptions::release(const Mesh& mesh, const Shell& shell) {
     bool any = false;
     for (const VertexPairs::Pair& pair : pairs.all()) {
         if (!apart(mesh, shell, pair)) continue;
-        // It ends at once, so that the next pair takes the elements that they share into account.
+        // The pair is erased at once, so that the next pair takes the elements that they share into account.
         pairs.erase(pair.vertices[0], pair.vertices[1]);
         any = true;
     }

@@ -11,19 +11,20 @@
 
 namespace sherd {
 
-/// Faces that cross or are too near at the start, until they are apart. As long as they cross, elements with
-/// a vertex of each do not collide; where they are only too near, such elements push each other from the
-/// distance on that they had. Other elements, and these once they are apart, collide as all do: so nothing is
-/// flung apart, and nothing that was apart passes through anything.
+/// Exempt pairs: faces that intersect or are too near at the start, until they have separated. Elements that
+/// contain a vertex of each face do not collide if the faces intersect; if they are only too near, such
+/// elements repel each other from their distance at the start on. All other elements, and these once they
+/// have separated, collide normally. So nothing is flung apart, and elements that were apart cannot pass
+/// through each other.
 class StartExemptions {
   public:
     void add(const Mesh& mesh, std::span<const StartOverlap> overlaps);
 
-    /// Must be called when the mesh was changed: new vertices inherit from their parents.
+    /// Must be called when the mesh was changed: new vertices inherit the pairs of their parents.
     void follow(const TopologyChange& change);
 
-    /// Ends those of vertices around which no faces cross any more and all elements are as far apart as
-    /// others stay by themselves. Returns whether there were any.
+    /// Removes the vertex pairs around which no faces intersect any more and all elements are beyond their
+    /// activation distance. Returns whether there were any.
     bool release(const Mesh& mesh, const Shell& shell);
 
     /// Adds to shell.twins and sets shell.near.

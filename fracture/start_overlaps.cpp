@@ -21,7 +21,7 @@ FacePair ascending(Face a, Face b) {
     return {static_cast<Index>(std::min(a, b)), static_cast<Index>(std::max(a, b))};
 }
 
-/// Whether a vertex of one face is a twin of a vertex of the other, as along a seam that is not joined.
+/// Whether a vertex of one face coincides with a vertex of the other, as along a seam.
 bool at_seam(const Shell& shell, const FacePair& faces) {
     for (const Index p : shell.triangles[faces[0]].vertices)
         for (const Index q : shell.triangles[faces[1]].vertices)
@@ -31,7 +31,7 @@ bool at_seam(const Shell& shell, const FacePair& faces) {
     return false;
 }
 
-/// The faces of a pair, that of its first element first.
+/// The faces of a pair's elements, in their order.
 FacePair faces_of(const Mesh& mesh, const ContactPair& pair) {
     const std::span<const Index> vertices(pair.vertices);
     const std::size_t first = pair.kind == PairKind::edge_edge ? 2 : 1;

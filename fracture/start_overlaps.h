@@ -8,13 +8,13 @@
 
 namespace sherd {
 
-/// The mesh with its vertices where they are now.
+/// The mesh with its vertices at their current positions.
 Mesh placed_mesh(const BreakableShell& shell);
 
-/// Finds all pairs of faces that overlap at the start, each once: first those that cross (by exact
+/// Finds all pairs of faces that overlap at the start, each once: first those that intersect (by exact
 /// predicates) or touch, then those that are closer than 0.99 of their activation distance in SheetContact,
 /// which would push them apart at the start. Both are ascending by their faces. Faces of one sheet with
-/// coincident vertices, as along a seam that is not joined, do not count, nor what is exempt.
+/// coincident vertices, as along a seam, do not count, nor exempt pairs.
 std::vector<StartOverlap> start_overlaps(const BreakableShell& shell);
 
 }  // namespace sherd

@@ -21,8 +21,8 @@ enum class Measure {
 /// The strength of the hinges of a sheet. A hinge fails when its measure exceeds its strength.
 struct Strength {
     Measure measure = Measure::strain;
-    double along = std::numeric_limits<double>::infinity();   ///< for a pull along the first material axis
-    double across = std::numeric_limits<double>::infinity();  ///< for a pull across it
+    double along = std::numeric_limits<double>::infinity();   ///< for tension along the first material axis
+    double across = std::numeric_limits<double>::infinity();  ///< for tension across it
     std::vector<double> factors = {};  ///< [E] factor on the strength of each edge; empty: 1
     double crack_tip_factor = 0.7;     ///< factor on the strength of a hinge that would continue a crack
 };
@@ -30,22 +30,21 @@ struct Strength {
 /// A strength of `value`, in the measure's unit, in all directions.
 Strength uniform_strength(double value, Measure measure = Measure::strain);
 
-/// What an edge withstands that makes `angle` (rad) with the first material axis, between what one along and
-/// across the axis do when they are pulled open: by Hankinson's formula, s0 s1 / (s0 sin^2 p + s1 cos^2 p),
-/// where p is the angle of the pull, at 90 degrees to the edge (R. L. Hankinson, US Air Service Information
-/// Circular 259, 1921). along, across: for a pull along and across the axis.
+/// Strength or toughness of an edge at `angle` (rad) to the first material axis, by Hankinson's formula, s0
+/// s1 / (s0 sin^2 p + s1 cos^2 p), where p is the angle of the tension, at 90 degrees to the edge (R. L.
+/// Hankinson, US Air Service Information Circular 259, 1921). along, across: its values for tension along and
+/// across the axis.
 double hankinson(double along, double across, double angle);
 
 /// Strength of a hinge whose edge makes `angle` (rad) with the first material axis, without its factor.
 double directional_strength(const Strength& strength, double angle);
 
-/// The smallest and the largest of the factors that are finite, and how many are not: those of edges that
-/// never fail.
+/// The smallest and the largest finite factor, and the number of infinite ones, of edges that never fail.
 struct FactorRange {
     double least = 0, most = 0;
     std::size_t never = 0;
 };
-/// None without a finite factor.
+/// Returns the range of factors; none without a finite one.
 std::optional<FactorRange> factor_range(std::span<const double> factors);
 
 /// Random scatter of the strength between hinges.

@@ -5,7 +5,7 @@
 
 namespace sherd {
 
-/// How all faces are strained, [3, F] each: see ShellEnergies.
+/// Membrane strains and curvatures of all faces, [3, F] each: see ShellEnergies.
 struct FaceStrains {
     Eigen::Matrix3Xd membrane, curvature;
 };
@@ -18,12 +18,12 @@ struct SurfaceStress {
     SurfaceStress operator*(double factor) const { return {factor * top, factor * bottom}; }
 };
 
-/// Of one face (face_state()).
+/// Surface stress of one face (face_state()).
 SurfaceStress surface_stress(const Shell& shell, Index face, const FaceStrains& strains);
 
 /// Normal of a face at rest, m^2: its length is twice the area.
 Vector3d rest_area_normal(const Shell& shell, Index face);
-/// Unit normal at a vertex at rest: the mean of those of its faces, by area.
+/// Unit normal at a vertex at rest: the mean of its faces' normals, weighted by area.
 Vector3d rest_normal_at(const BreakableShell& shell, Vertex vertex);
 /// The faces around a vertex.
 std::vector<Index> faces_around(const Mesh& mesh, Vertex vertex);

@@ -11,16 +11,16 @@ namespace sherd {
 namespace {
 
 constexpr int rings_for_plate = 2;  // with fewer, k_1 and k_2 mean nothing
-/// So far along its lips a crack is followed: farther than the rings of its tip reach.
+/// Number of vertices along which a crack is followed: farther than the rings of its tip reach.
 constexpr int followed = 8;
-/// Cosine of the angle up to which the last edge lies on the path.
+/// Cosine of the largest angle at which the last edge counts as lying on the path.
 constexpr double straight = 0.996;
-/// Modes that account for so many times the energy that is released, or for less than its inverse, are not
-/// those of the tip.
+/// Modes whose energy is more than this times the energy released, or less than its inverse, are not those of
+/// the tip.
 constexpr double most_of_modes = 1.5;
 
-/// The lips of the crack that ends at a vertex, one after the other on both sides, as long as they were one
-/// before the crack opened.
+/// The vertex pairs of both faces of the crack that ends at a tip, in order from the tip, as long as both are
+/// copies of one vertex.
 std::vector<std::array<Vertex, 2>> lips_of(const BreakableShell& shell, Vertex tip) {
     const Mesh& mesh = shell.mesh();
     Halfedge to_tip;  // on the hole's side
@@ -38,7 +38,7 @@ std::vector<std::array<Vertex, 2>> lips_of(const BreakableShell& shell, Vertex t
     return lips;
 }
 
-/// By how much the largest hoop stress squared exceeds what goes straight on.
+/// Ratio of the squared largest hoop stress to that released by straight propagation; at least 1.
 double gain_by_turning(const ModePair& modes) {
     const double straight = modes.first * modes.first + modes.second * modes.second;
     if (!(straight > 0) || !(modes.first > 0)) return 1;
@@ -47,9 +47,9 @@ double gain_by_turning(const ModePair& modes) {
     return std::max(1.0, hoop * hoop / straight);
 }
 
-/// Whether a sheet is torn out of its plane, where the largest hoop stress does not say where a crack goes:
-/// it folds within the rings, so that modes do not account for the energy of going straight on, J/m^2, or it
-/// is sheared across its plane, by k_2, more than all else.
+/// Whether a sheet is torn out of its plane, where the largest hoop stress does not give a crack's direction:
+/// it folds within the rings, so that the modes do not account for the energy of straight propagation,
+/// `energy` (J/m^2), or the shear across its plane, k_2, dominates.
 bool is_torn(const PlaneStress& material, const TipLoad& load, double energy) {
     const double modes = membrane_release(material, load.membrane) + plate_release(material, load.plate);
     return modes * most_of_modes < energy || modes > energy * most_of_modes ||
@@ -71,7 +71,7 @@ void TipEnergy::mesh_changed(std::span<const GrowingTip> tips) {
 std::vector<char> TipEnergy::foreign_to(Index vertex) const {
     std::vector<char> others = foreign;
     std::vector<std::array<Vertex, 2>> lips = lips_of(shell, Vertex(vertex));
-    // Where the lips end early is another tip, or the crack's mouth on the outer boundary.
+    // If the crack faces end early, the last pair is another tip, or the crack's mouth on the outer boundary.
     if (static_cast<int>(lips.size()) < followed && !lips.empty()) lips.pop_back();
     for (const auto& [a, b] : lips) others[a] = others[b] = 0;
     others[vertex] = 0;

@@ -11,12 +11,12 @@
 namespace sherd {
 namespace {
 
-/// K = stress ahead sqrt(2 pi alpha h): of coupled hinges, from 18 tips in bending.
+/// K = stress ahead sqrt(2 pi alpha h), with alpha measured with coupled hinges at 18 tips in bending.
 constexpr double alpha = 0.49;
-/// A face is ahead whose centre is less than 72 degrees off the direction.
+/// Cosine of the largest angle, 72 degrees, between the direction and the centre of a face that is ahead.
 constexpr double ahead = 0.3;
-/// Tips that run, and those in bending, turn no faster than on this radius, in thicknesses: waves would make
-/// their paths snake, and the petals that rise behind them would lead them round.
+/// Smallest radius, in thicknesses, of the path of tips that run or are in bending: else waves would make
+/// their paths snake, and the petals that rise behind them would make them curl.
 constexpr double radius_of_turns = 20;
 
 double poisson(const Shell& shell, Index face) {

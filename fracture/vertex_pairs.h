@@ -10,11 +10,11 @@
 
 namespace sherd {
 
-/// Unordered pairs of vertices, each with the distance below which elements that contain one each push each
-/// other.
+/// Unordered pairs of vertices, each with the distance below which elements that contain one of them each
+/// repel each other.
 class VertexPairs {
   public:
-    using Partners = std::map<Vertex, double>;  ///< with the reach of each, m; 0: they do not collide
+    using Partners = std::map<Vertex, double>;  ///< reach of each, m; 0: no collision
     struct Pair {
         std::array<Vertex, 2> vertices;  ///< ascending
         double reach;                    ///< m
@@ -31,7 +31,7 @@ class VertexPairs {
         const auto found = partners.find(vertex);
         return found == partners.end() ? Partners() : found->second;
     }
-    /// Adds a pair; of one that is known the smaller reach counts.
+    /// Adds a pair; if it exists, the smaller reach counts.
     void add(Vertex a, Vertex b, double reach = 0) {
         for (const auto& [from, to] : {std::array{a, b}, std::array{b, a}}) {
             const auto [at, is_new] = partners[from].emplace(to, reach);

@@ -6,7 +6,7 @@
 
 namespace sherd {
 
-/// Where stress is largest beside the yield stress of its sheet.
+/// The largest ratio of stress to the yield stress of its sheet, and its place.
 struct YieldPeak {
     double ratio = 0;  ///< von Mises stress at a surface over Material::yield; 0: no material yields
     FacePlace place;
@@ -15,7 +15,8 @@ struct YieldPeak {
 /// The von Mises stress of plane stress (Pa) with the components 00, 11 and 01.
 double von_mises(const Vector3d& stress);
 
-/// Over all faces of sheets whose material yields. Residual stress of tempered sheets is left out.
+/// Returns the peak over all faces of sheets whose material yields, without the residual stress of tempered
+/// sheets.
 YieldPeak yield_peak(const BreakableShell& shell, const FaceStrains& strains);
 
 }  // namespace sherd

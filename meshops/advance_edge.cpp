@@ -16,7 +16,7 @@ namespace {
 using Eigen::Vector3d;
 using Way = AdvancedEdge::Way;
 
-constexpr double longest = 1.6, shortest_rest = 0.5;  // of an edge, of what remains: in mean edges of the tip
+constexpr double longest = 1.6, shortest_rest = 0.5;  // mean edges of the tip: an edge, the path behind it
 constexpr double on_ray = 1e-10;  // rad: an edge that is no farther from the ray lies on it
 
 /// All ways to make an edge along a ray, in a patch.
@@ -78,7 +78,8 @@ class Course {
         return all;
     }
 
-    /// The edge to a vertex that lies beyond the one side of the tip's face; no trial if it cannot be made.
+    /// Edge to a vertex beyond the side of the tip's face that the ray crosses, by a flip; no trial if the
+    /// flip is impossible.
     Candidate flipped_to(Vertex goal) const {
         const Halfedge over = patch.mesh.opposite(side);
         auto trial = std::make_unique<PatchTrial>(patch);
@@ -120,7 +121,8 @@ class Course {
         return corner_number(place.corners, corner) < 3;
     }
 
-    /// Where the side of the tip's face that is opposite to it is crossed: fraction and distance.
+    /// Crossing of the ray with the side of the tip's face opposite to the tip: its fraction of that side,
+    /// and its distance along the ray (m).
     double crossing_fraction() const {
         const Vector3d a = way_to(patch.mesh.source(side)), b = way_to(patch.mesh.target(side));
         const Vector3d normal = a.cross(b), across = normal.cross(ray.direction());
@@ -186,8 +188,8 @@ class Course {
     SurfaceRay ray;
     double size;
     bool ends;      ///< whether an edge may end where the ray does
-    double limit;   ///< or up to this distance, m
-    Halfedge side;  ///< of the tip's face, opposite to it
+    double limit;   ///< m, largest other distance at which an edge may end
+    Halfedge side;  ///< side of the tip's face opposite to the tip
 };
 
 AdvancedEdge existing_edge(const Mesh& mesh, const Patch& patch, const Course& course, Vertex tip,

@@ -16,7 +16,7 @@ namespace {
 using Parents = std::vector<Born<Vertex>::Parent>;
 using Shares = std::vector<Born<Face>::Parent>;
 
-/// Weights of a face's corners by what a vertex inherits; nothing when it inherits from others, too.
+/// Weights of a face's corners among the parents of a vertex; nullopt if the vertex has other parents, too.
 std::optional<Eigen::Vector3d> corner_weights(const ReplacedFace& face, const Parents& parents) {
     Eigen::Vector3d weights = Eigen::Vector3d::Zero();
     for (const auto& [vertex, weight] : parents) {
@@ -27,7 +27,8 @@ std::optional<Eigen::Vector3d> corner_weights(const ReplacedFace& face, const Pa
     return weights;
 }
 
-/// Texture of a vertex seen from a face with these shares: by the largest of them that the vertex lies in.
+/// Texture coordinates of a vertex in a face with these shares: those in the largest share in which the
+/// vertex lies.
 Eigen::Vector2d texture_at(const std::map<Face, ReplacedFace>& old, const Shares& shares,
                            const Parents& parents, const Eigen::Vector2d& otherwise) {
     for (const auto& [face, share] : shares) {
@@ -70,7 +71,7 @@ void inherit_axis(Mesh& mesh, const std::map<Face, ReplacedFace>& old, const Top
     }
 }
 
-/// Values are those of the old face with the largest part.
+/// Gives each reshaped face the value of the old face with the largest share.
 template <class Value>
 void inherit_largest(Mesh& mesh, const TopologyChange& change, const char* name) {
     auto [values, exists] = find_property<Face, Value>(mesh, name);

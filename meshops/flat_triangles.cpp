@@ -11,7 +11,7 @@
 namespace sherd {
 namespace {
 
-/// Joins corners at one place, in triangles that have such.
+/// Joins the coincident corners of flat triangles.
 void join_corners(TriangleSoup& soup) {
     DisjointSets points(soup.points.size());
     for (const std::size_t t : zero_area_triangles(soup))
@@ -41,8 +41,8 @@ int longest_side(const TriangleSoup& soup, std::size_t triangle) {
     return static_cast<int>(std::ranges::max_element(squared) - squared.begin());
 }
 
-/// Divides the triangle beyond the longest side of a flat one by the flat one's third corner. The flat one
-/// becomes its second half.
+/// Divides the triangle beyond the longest side of a flat triangle at the flat one's third corner. The flat
+/// triangle becomes the second half.
 void divide(TriangleSoup& soup, std::size_t flat, const SoupSide& beyond) {
     const int start = beyond.corner, end = (start + 1) % 3;
     const std::uint32_t middle = soup.triangles[flat][(longest_side(soup, flat) + 2) % 3];
@@ -63,7 +63,7 @@ void divide(TriangleSoup& soup, std::size_t flat, const SoupSide& beyond) {
     if (flat < beyond.triangle) std::swap(texture, soup.texture[flat]);
 }
 
-/// Divides what lies beyond flat triangles, at most once each. Returns the flat ones that join nothing.
+/// Divides the triangles beyond flat ones, at most once each. Returns the flat triangles that join nothing.
 std::vector<std::size_t> divide_beyond(TriangleSoup& soup, const std::vector<std::size_t>& flat) {
     std::vector<bool> is_flat(soup.triangles.size(), false), is_changed(soup.triangles.size(), false);
     std::vector<bool> has_beyond(soup.triangles.size(), false), has_beside(soup.triangles.size(), false);
@@ -111,8 +111,8 @@ void order_by_polygon(TriangleSoup& soup) {
 }  // namespace
 
 void remove_zero_area_triangles(TriangleSoup& soup) {
-    // A division leaves shorter flat triangles at most; this many rounds are enough for any chain of them
-    // that is not made to be a bad one.
+    // A division leaves shorter flat triangles at most; so many rounds are enough for any chain of them that
+    // is not constructed as a bad case.
     constexpr int most_rounds = 1000;
     for (int round = 0; round < most_rounds; ++round) {
         join_corners(soup);

@@ -5,11 +5,10 @@
 
 namespace sherd {
 
-/// Removes triangles of zero area (zero_area_triangles()) and joins what lies beside them, so that no slit is
-/// left: corners at one place become one point, and a corner on the opposite side divides the triangle beyond
-/// that side, with its texture coordinates. A flat triangle that joins nothing, at a boundary or where more
-/// than two meet, is dropped.
-/// Triangles of a polygon still follow each other.
+/// Removes triangles of zero area (zero_area_triangles()) and joins the triangles beside them, so that no
+/// slit is left: corners at one place become one point, and a corner on the opposite side divides the
+/// triangle beyond that side, with its texture coordinates. A flat triangle that joins nothing, at a boundary
+/// or where more than two meet, is dropped. Triangles of a polygon still follow each other.
 void remove_zero_area_triangles(TriangleSoup& soup);
 
 }  // namespace sherd

@@ -10,7 +10,7 @@
 namespace sherd {
 namespace {
 
-/// Whether voxels there have numbers; a damaged file may place them anywhere.
+/// Whether indices of voxels around a place are in range; a damaged file may place them anywhere.
 bool has_voxels_around(const openvdb::Vec3d& place) {
     constexpr double most = 1 << 30;
     return std::abs(place.x()) < most && std::abs(place.y()) < most && std::abs(place.z()) < most;

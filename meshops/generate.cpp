@@ -18,7 +18,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 constexpr double pi = std::numbers::pi;
 using spacing::pieces, spacing::text;
-constexpr double narrowest_band = 0.7;  // edge lengths, minimum between two such circles
+constexpr double narrowest_band = 0.7;  // edge lengths, smallest distance between fixed circles
 
 void require(double value, bool holds, const char* what, const char* condition) {
     if (!holds || !std::isfinite(value)) {
@@ -43,7 +43,8 @@ void require_delaunay(const GenerateOptions& options, const char* shape) {
 }
 
 /// Number of vertices to add to `boundary` vertices so that triangles of the target size cover `area` (m^2),
-/// by Euler's formula. `characteristic`: of the surface, 0 for a ring, 1 for a disc, 2 for a sphere.
+/// by Euler's formula. `characteristic`: Euler characteristic of the surface, 0 for a ring, 1 for a disc, 2
+/// for a sphere.
 std::size_t free_vertices(double area, double edge_length, std::size_t boundary, int characteristic) {
     const double faces = spacing::crowding * area / (std::sqrt(3.0) / 4 * edge_length * edge_length);
     const double inner = (faces - static_cast<double>(boundary)) / 2 + characteristic;
@@ -161,7 +162,7 @@ std::vector<double> fixed_circles(const Revolution& surface, double edge_length)
 /// of a sector, and rows between them.
 class RevolutionSpread {
   public:
-    /// angle: rad, of the sector; 2 pi: it is whole.
+    /// angle: rad, of the sector; 2 pi: a whole surface.
     RevolutionSpread(const Revolution& surface, double angle, const GenerateOptions& options)
         : surface(surface),
           angle(angle),
@@ -242,7 +243,7 @@ class RevolutionSpread {
         }
     }
 
-    /// An angle with room for the vertices on the sides of a sector.
+    /// Angle that leaves space for the vertices on the sides of a sector.
     double between_sides(double around, double along) const {
         if (is_whole) return around;
         const double margin = std::min(spacing::half_row * edge_length / surface.radius(along), angle / 4);

@@ -8,7 +8,7 @@
 
 namespace sherd {
 
-/// How a generator places its vertices.
+/// Layout of a generator's vertices.
 enum class Layout {
     delaunay,   ///< unstructured, near-equilateral triangles: bending is nearly isotropic
     structured  ///< a regular grid with parallel diagonals, which bends anisotropically
@@ -33,8 +33,8 @@ Mesh generate_sphere(double radius, const GenerateOptions& options);
 /// the surface there. Normals point to the left of the profile's direction in the (r, z) half-plane: for a
 /// bowl drawn from its bottom to its rim, to its inside.
 ///
-/// degrees: the surface is the sector between the angles 0 (the x axis) and this, counterclockwise; its
-/// profile may not touch the axis then, and it can be structured.
+/// degrees: the surface is the sector between the angles 0 (the x axis) and this, counterclockwise. Below 360
+/// its profile may not touch the axis, and its layout can be structured.
 Mesh generate_revolution(std::span<const Eigen::Vector2d> profile, const GenerateOptions& options,
                          double degrees = 360);
 

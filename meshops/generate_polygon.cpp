@@ -18,10 +18,10 @@ namespace {
 using Eigen::Vector2d;
 using Pair = std::array<std::size_t, 2>;
 
-constexpr double nearest_to_side = 0.2;  // edge lengths: a free vertex comes no nearer to a line
+constexpr double nearest_to_side = 0.2;  // edge lengths: smallest distance of a free vertex from a line
 constexpr double fewest_around = 5;      // edges of a loop without corners
 
-/// Straight lines, found by the rows that they are in. A row is as high as an edge is long.
+/// Straight lines, sorted into rows for a fast search. The height of a row is the edge length.
 class OutlineSides {
   public:
     OutlineSides(const std::vector<Vector2d>& points, const std::vector<Pair>& borders,
@@ -34,7 +34,7 @@ class OutlineSides {
     }
     const Eigen::AlignedBox2d& bounds() const { return box; }
 
-    /// Whether a point is between the borders.
+    /// Whether a point is inside the borders.
     bool enclose(const Vector2d& p) const {
         bool inside = false;
         for (const auto& [a, b, is_border] : rows[row_of(p.y())])
@@ -84,7 +84,7 @@ class OutlineSides {
     std::vector<std::vector<Side>> rows;
 };
 
-/// The plane, in which no point moves across a line.
+/// The plane, as a surface in which no point moves across a line.
 class Region final : public Surface {
   public:
     Region(const OutlineSides& sides, double edge_length) : sides(sides), edge_length(edge_length) {}
@@ -171,7 +171,7 @@ class Outlines {
             if (i == 0 || i == last || is_junction(slit[i]) ||
                 turn_degrees(slit[i - 1], slit[i], slit[i + 1]) > spacing::corner_degrees)
                 ends.push_back(i);
-        // One edge with both ends inside would not open.
+        // A slit of one edge with both ends inside would not open.
         const bool is_free = !is_junction(slit.front()) && !is_junction(slit.back());
         if (is_free) spacing::require_edge_length(edge_length, length(slit), what);
         add_sections(slit, ends, is_free && ends.size() == 2 ? 2 : 1, slits);

@@ -55,7 +55,7 @@ bool has_negative_volume(const TriangleSoup& soup, const Component& component) {
     return volume < -1e-9 * size;
 }
 
-/// How many times a closed component goes around a point: its solid angle over that of a sphere (van Oosterom
+/// Winding number of a closed component about a point: its solid angle over that of a sphere (van Oosterom
 /// and Strackee 1983).
 double winding_number(const TriangleSoup& soup, const Component& component, const Point& point) {
     double sum = 0;

@@ -7,9 +7,9 @@
 
 namespace sherd {
 
-/// The triangles of closed components whose normals point inward, ascending: the volume within is negative,
-/// and no other closed component goes around (a cavity's normals point into it). The soup must be the result
-/// of separate_sheets() and orient().
+/// Triangles of closed components whose normals point inward, ascending: components of negative volume that
+/// no other closed component encloses (the normals of a cavity are to point into it). The soup must be the
+/// result of separate_sheets() and orient().
 std::vector<std::size_t> inside_out_triangles(const TriangleSoup& soup);
 
 }  // namespace sherd

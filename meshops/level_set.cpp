@@ -20,13 +20,13 @@ namespace {
 /// Width of the band outside the surface, in voxels.
 constexpr float band = 3;
 constexpr const char* grid_name = "surface";
-/// Difference in thickness that is not seen, in voxels: else each triangle of an uneven sheet would be a
-/// grid.
+/// Difference in thickness that is neglected, in voxels: otherwise each triangle of an uneven sheet would
+/// need a grid.
 constexpr double unseen = 0.01;
 
 using Triangles = std::vector<openvdb::Vec3I>;
 
-/// Those that differ by no more than `alike`, m, count as one: the thinnest of them.
+/// Triangles by thickness, m. Thicknesses that differ by at most `alike` (m) count as the thinnest of them.
 std::map<double, Triangles> triangles_by_thickness(const TriangleSheet& sheet,
                                                    std::span<const double> thickness, double alike) {
     std::map<double, Triangles> exactly, result;

@@ -25,7 +25,7 @@ std::string text_of(const Vector3d& place) {
     return text.str();
 }
 
-/// Nearest points of a surface.
+/// Finds the point of a surface that is nearest to a given point.
 class NearestOnSurface {
   public:
     explicit NearestOnSurface(const Mesh& mesh) : mesh(mesh) {
@@ -39,7 +39,7 @@ class NearestOnSurface {
     struct Found {
         Face face;
         Vector3d place;
-        bool is_outside;  ///< seen along the face's normal, the point lies beyond the mesh's rim
+        bool is_outside;  ///< whether, seen along the face's normal, the point lies beyond the rim
     };
     Found operator()(const Vector3d& point, double tolerance) const {
         const auto [at, primitive] = tree.closest_point_and_primitive({point.x(), point.y(), point.z()});

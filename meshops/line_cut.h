@@ -10,7 +10,7 @@
 
 namespace sherd {
 
-/// A point of a polyline, m, and how messages call it.
+/// A point of a polyline, m, and its name in messages.
 struct LinePoint {
     Eigen::Vector3d place;
     std::string name;
@@ -19,30 +19,31 @@ struct LinePoint {
 /// Makes edges of a mesh along polylines, by advance_edge(). Crossing lines share a vertex.
 class LineCut {
   public:
-    /// `mesh` must outlive this. keep_vertices: none of its vertices is moved, faces are cut only.
+    /// `mesh` must outlive this. keep_vertices: faces are cut, but no vertex is moved.
     LineCut(Mesh& mesh, bool keep_vertices);
     LineCut(const LineCut&) = delete;
     LineCut& operator=(const LineCut&) = delete;
 
-    /// Makes edges along the polyline projected to the surface, as it was in the beginning, point by point to
-    /// what is nearest. Vertices are made at its ends and where it turns by more than 20 degrees, on a closed
-    /// one at two more points; a corner or a line of the mesh within 0.05 mean edges of these is taken
-    /// instead. Throws Error, naming the point, if one is farther from the mesh than the longest edge of the
-    /// face next to it, if the line leaves the mesh before it, and if fewer than two points differ.
+    /// Makes edges along the polyline, projected point by point to the nearest points of the original
+    /// surface. Vertices are placed at its ends and where it turns by more than 20 degrees, and at two more
+    /// points of a closed line; a line of the mesh, or a vertex that may not move, within 0.05 mean edges is
+    /// used instead. Throws Error, naming the point, if a point is farther from the mesh than the longest
+    /// edge of the nearest face, if the line leaves the mesh before a point, and if fewer than two points
+    /// differ.
     void cut(std::span<const LinePoint> line);
 
-    /// Edges along all lines, in order; those on the boundary are open and not among them.
+    /// Edges along all lines, in order, without those on the boundary, which are open already.
     const std::vector<Edge>& edges() const { return path; }
-    double length() const;                              ///< of these, m
-    double smallest_angle() const { return smallest; }  ///< of all changed faces, rad; pi if there are none
+    double length() const;                              ///< total length of edges(), m
+    double smallest_angle() const { return smallest; }  ///< rad, of changed faces; pi if there are none
     std::size_t moved_vertices() const { return moved.size(); }
     std::size_t born_vertices() const;
 
   private:
     struct Curve {
         std::vector<Eigen::Vector3d> points;
-        std::vector<std::size_t> stops;  ///< of the points, those of the polyline where the path has a vertex
-        std::vector<std::size_t> ends;   ///< number in the polyline of each stop
+        std::vector<std::size_t> stops;  ///< indices of the points where the path has a vertex
+        std::vector<std::size_t> ends;   ///< index in the polyline of each stop
     };
 
     Curve project(std::span<const LinePoint> line) const;
@@ -52,7 +53,7 @@ class LineCut {
     void add(Halfedge made);
 
     Mesh& mesh;
-    Mesh surface;  ///< as it was in the beginning
+    Mesh surface;  ///< the mesh before all changes
     double mean_edge;
     AdvanceOptions options;
     std::vector<Edge> path;

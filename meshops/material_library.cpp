@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* blank = " \t\r";
 
-/// The first word of a line, which is taken off with the blanks around it.
+/// Takes the first word off a line, with the blanks around it, and returns it.
 std::string_view take_word(std::string_view& line) {
     line.remove_prefix(std::min(line.find_first_not_of(blank), line.size()));
     const std::string_view word = line.substr(0, line.find_first_of(blank));
@@ -45,7 +45,7 @@ bool names_picture(std::string_view word) {
            keyword == "norm" || keyword == "refl";
 }
 
-/// What is left of the arguments of a picture's line behind its options. `-o`, `-s` and `-t` have up to three
+/// Name of a picture: the arguments of its line behind the options. `-o`, `-s` and `-t` have up to three
 /// numbers, `-mm` two, the others one value.
 std::string_view picture_name(std::string_view arguments) {
     while (arguments.starts_with('-')) {
@@ -110,7 +110,7 @@ std::string with_pictures(const std::string& definition,
         std::string_view arguments = line;
         const bool is_picture = names_picture(take_word(arguments));
         const std::string_view name = is_picture ? picture_name(arguments) : std::string_view();
-        // Options stay; quotes around a name go.
+        // Options stay; quotes around a name are dropped.
         const bool is_quoted = !name.empty() && name.data() + name.size() < line.data() + line.size();
         result.append(line.substr(0, line.size() - name.size() - (is_quoted ? 2 : 0)));
         if (!name.empty()) result += renamed(std::string(name));

@@ -34,7 +34,7 @@ inline constexpr const char* file_vertex =
     "v:file_vertex";  ///< std::uint32_t, number of the vertex in the file read, from 0
 }  // namespace property
 
-/// An answer of CGAL 5 about a property map, and one of CGAL 6, in the form of the former.
+/// Result of a query for a property map, from CGAL 5 or CGAL 6, in the form of CGAL 5.
 template <class Map>
 std::pair<Map, bool> found_property(const std::pair<Map, bool>& answer) {
     return answer;
@@ -44,7 +44,7 @@ std::pair<Map, bool> found_property(const std::optional<Map>& answer) {
     return {answer.value_or(Map()), answer.has_value()};
 }
 
-/// The property map `name` of the mesh and whether there is one; without, the map refers to nothing.
+/// The property map `name` of the mesh and whether it exists; if not, the map is not valid.
 template <class Element, class Value>
 std::pair<Mesh::Property_map<Element, Value>, bool> find_property(const Mesh& mesh, const char* name) {
     return found_property(mesh.property_map<Element, Value>(name));

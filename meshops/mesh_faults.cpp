@@ -42,7 +42,7 @@ FaultyMesh find_mesh_faults(const std::filesystem::path& file, bool join, double
     FaultyMesh mesh;
     const std::vector<bool> is_used = used_points(polygons);
     for (std::size_t i = 0; i < soup.points.size(); ++i) {
-        // A point that is not used may be no number.
+        // An unused point may be NaN.
         const Point& p = soup.points[is_used[i] ? i : polygons.polygons[0][0]];
         mesh.sheet.points.emplace_back(p.x(), p.y(), p.z());
     }

@@ -22,14 +22,14 @@ Eigen::Vector3d centroid(const Mesh& mesh, Face face);  ///< m
 double face_area(const Mesh& mesh, Face face);          ///< m^2
 /// The corners of a face, in the order of mesh.vertices_around_face(mesh.halfedge(face)).
 std::array<Vertex, 3> face_corners(const Mesh& mesh, Face face);
-/// Place of a vertex among them; 3 if it is none of them.
+/// Index of a vertex among the corners of a face; 3 if it is none of them.
 inline std::size_t corner_number(const std::array<Vertex, 3>& corners, Vertex vertex) {
     return std::find(corners.begin(), corners.end(), vertex) - corners.begin();
 }
-std::array<Eigen::Vector3d, 3> face_points(const Mesh& mesh, Face face);  ///< where its corners are, m
+std::array<Eigen::Vector3d, 3> face_points(const Mesh& mesh, Face face);  ///< positions of its corners, m
 /// Twice the area of a triangle times its unit normal, m^2.
 Eigen::Vector3d triangle_normal(const std::array<Eigen::Vector3d, 3>& corners);
-double smallest_angle(const std::array<Eigen::Vector3d, 3>& corners);  ///< of a triangle, rad
+double smallest_angle(const std::array<Eigen::Vector3d, 3>& corners);  ///< rad, of a triangle
 
 double mean_edge_at(const Mesh& mesh, Vertex vertex);  ///< mean length of the vertex's edges, m
 

@@ -15,8 +15,7 @@ namespace {
 
 using Point2 = Kernel::Point_2;
 
-/// The share of the points, one in so many, for which it takes longer to insert them again than to make the
-/// triangulation anew.
+/// If more than one point in so many has to be inserted again, a new triangulation is faster.
 constexpr std::size_t many = 10;
 
 Point2 place_of(const Surface& surface, const Eigen::Vector2d& parameter) {
@@ -32,7 +31,7 @@ void fail_to_generate() {
 
 struct MovingDelaunay::Triangulation {
     using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Kernel>;
-    /// Where a face is, as far as borders have been looked at.
+    /// Side of the borders on which a face lies.
     enum class Where : char { unknown, outside, inside };
     using CreasedFace =
         CGAL::Triangulation_face_base_with_info_2<Where, Kernel,
@@ -43,12 +42,12 @@ struct MovingDelaunay::Triangulation {
     using VertexHandle = CreasedDelaunay::Vertex_handle;
 
     CreasedDelaunay all;
-    std::vector<VertexHandle> handle;  ///< of each point
+    std::vector<VertexHandle> handle;  ///< vertex of each point
 
-    /// Flips edges until it is Delaunay. No triangle may be turned over.
+    /// Flips edges until the triangulation is Delaunay. Requires that no triangle is turned over.
     void flip_edges();
-    /// Puts those points back to where they were without which triangles would be turned over, and returns
-    /// them. before: of all points; the first `fixed` have not moved.
+    /// Returns moved points to their earlier places until no triangle is turned over, and returns their
+    /// numbers. before: places of all points; the first `fixed` have not moved.
     std::vector<std::size_t> put_back(const std::vector<Point2>& before, std::size_t fixed);
 };
 
@@ -123,14 +122,14 @@ void MovingDelaunay::make() {
     require_edges();
 }
 
-/// None may cross another, or pass through a vertex.
+/// Throws Error if a crease or border crosses another one or passes through a vertex.
 void MovingDelaunay::require_edges() const {
     for (const auto& pairs : {points.creases, points.borders})
         for (const auto& [a, b] : pairs)
             if (!of->all.is_edge(of->handle[a], of->handle[b])) fail_to_generate();
 }
 
-/// Whether the convex hull stays as it is.
+/// Whether all vertices of the convex hull are fixed, so that the hull stays.
 bool MovingDelaunay::hull_rests() const {
     auto around = of->all.incident_vertices(of->all.infinite_vertex());
     const auto first = around;
@@ -144,7 +143,7 @@ void MovingDelaunay::follow() {
     if (!hull_rests() || !move()) make();
 }
 
-/// Returns false where too much has changed.
+/// Moves the points and flips edges. Returns false if too many points would have to be inserted again.
 bool MovingDelaunay::move() {
     auto& [all, handle] = *of;
     const std::size_t count = handle.size();
@@ -166,7 +165,7 @@ bool MovingDelaunay::move() {
     return true;
 }
 
-/// Marks the faces outside and inside of the borders, from infinity on.
+/// Marks the faces outside and inside the borders, starting at infinity.
 void MovingDelaunay::mark() {
     std::vector<std::array<std::size_t, 2>> borders = points.borders;
     for (auto& [a, b] : borders)

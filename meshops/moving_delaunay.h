@@ -7,9 +7,9 @@
 
 namespace sherd {
 
-/// The Delaunay triangulation of the chart of points that move from one time to the next. It is the same as
-/// one that is made anew, in a fraction of the time where most triangles stay as they are: points are moved,
-/// and edges flipped until it is Delaunay again (Lawson 1977).
+/// Delaunay triangulation, in the chart, of points that move. The result equals that of a new triangulation,
+/// in a fraction of the time where most triangles stay as they are: points are moved, and edges flipped until
+/// all are Delaunay again (Lawson 1977).
 class MovingDelaunay {
   public:
     using Corners = std::array<std::size_t, 3>;
@@ -18,10 +18,11 @@ class MovingDelaunay {
     MovingDelaunay(const Surface& surface, const SurfacePoints& points);
     ~MovingDelaunay();
 
-    /// The points that are not fixed have moved. Throws Error as the constructor does.
+    /// Updates the triangulation after points that are not fixed have moved. Throws Error as the constructor
+    /// does.
     void follow();
-    /// The triangles inside, ascending, each with its lowest vertex first. The vertex at infinity has the
-    /// number after the last vertex.
+    /// Returns the triangles of the surface, ascending, each with its lowest vertex first. The vertex at
+    /// infinity has the number after the last vertex.
     std::vector<Corners> triangles();
 
   private:
@@ -38,7 +39,7 @@ class MovingDelaunay {
     std::unique_ptr<Triangulation> of;
 };
 
-/// Throws the Error of a shape that has too few points.
+/// Throws the Error for a shape that has too few points.
 [[noreturn]] void fail_to_generate();
 
 }  // namespace sherd

@@ -17,8 +17,7 @@ std::string_view pop_word(std::string_view& text) {
     return word;
 }
 
-/// Takes what is between two quotes off the text; empty if it does not begin with a quote or there is no
-/// other.
+/// Takes a quoted word off the start of the text and returns it without quotes; empty if there is none.
 std::string_view take_quoted(std::string_view& text) {
     std::string_view rest = text;
     rest.remove_prefix(std::min(rest.find_first_not_of(blanks_of_names), rest.size()));
@@ -32,7 +31,7 @@ std::string_view take_quoted(std::string_view& text) {
     return rest.substr(1, end - 1);
 }
 
-/// The number of bytes behind a first byte of UTF-8; none: it is no first byte.
+/// Number of bytes that follow a first byte of UTF-8; nullopt if the byte is no first byte.
 std::optional<std::size_t> bytes_behind(unsigned char first) {
     if (first < 0x80) return 0;
     if (first >= 0xc2 && first < 0xe0) return 1;
@@ -47,7 +46,7 @@ bool is_utf8(std::string_view text) {
         if (!more || i + *more >= text.size()) return false;
         const auto first = static_cast<unsigned char>(text[i]);
         const auto second = static_cast<unsigned char>(text[i + (*more > 0 ? 1 : 0)]);
-        // Longer forms than needed, halves of pairs of UTF-16, and numbers beyond the last one.
+        // Overlong forms, surrogates of UTF-16 and code points beyond the last one are invalid.
         if ((first == 0xe0 && second < 0xa0) || (first == 0xed && second > 0x9f) ||
             (first == 0xf0 && second < 0x90) || (first == 0xf4 && second > 0x8f))
             return false;

@@ -41,8 +41,8 @@ bool has_objects(const TriangleSheet& sheet) {
     });
 }
 
-/// Appends values of corners, each that is new on a line of its own. Returns their numbers. count: of those
-/// before.
+/// Appends the values of triangle corners, each different value once, on a line of its own. Returns their
+/// numbers in the file. count: number of values in the file so far.
 template <class Values>
 std::vector<std::array<std::size_t, 3>> append_corners(std::string& text, const char* keyword,
                                                        const Values& values,
@@ -64,7 +64,7 @@ std::vector<std::array<std::size_t, 3>> append_corners(std::string& text, const 
     return numbers;
 }
 
-/// Appends the lines that say what the triangle belongs to, where that changes.
+/// Appends the lines with the groups and the material of a triangle, if they differ from the previous ones.
 void append_state(std::string& text, const TriangleSheet& sheet, std::size_t triangle, bool objects,
                   ObjState& state) {
     if (!sheet.named_groups.empty() && sheet.named_groups[triangle] != state.names) {
@@ -77,7 +77,7 @@ void append_state(std::string& text, const TriangleSheet& sheet, std::size_t tri
     }
 }
 
-/// Normals are as good as exact with six digits.
+/// Rounds normals to six decimals: more would make no visible difference.
 std::vector<std::array<Eigen::Vector3d, 3>> rounded(std::vector<std::array<Eigen::Vector3d, 3>> normals) {
     for (auto& corners : normals)
         for (Eigen::Vector3d& normal : corners) normal = (normal * 1e6).array().round() / 1e6;

@@ -8,7 +8,7 @@
 
 namespace sherd {
 
-/// The content of an OBJ file, for mesh_bytes(). file: its name, after which its materials are named.
+/// The content of an OBJ file, for mesh_bytes(). file: its name; the file of materials is named after it.
 std::string obj_text(const TriangleSheet& sheet, const std::filesystem::path& file);
 
 }  // namespace sherd

@@ -27,7 +27,7 @@ bool is_one_of(const std::array<std::string_view, count>& words, std::string_vie
 }
 
 constexpr std::array<std::string_view, 4> with_names{"g", "o", "usemtl", "mtllib"};
-/// Statements on how a surface is shown, which changes nothing that Sherd knows.
+/// Statements about display, which Sherd ignores.
 constexpr std::array<std::string_view, 11> for_display{
     "vn", "s", "mg", "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj", "maplib", "usemap"};
 constexpr std::array<std::string_view, 20> of_free_forms{
@@ -231,7 +231,7 @@ class ObjParser {
         soup.material.push_back(face_material);
     }
 
-    /// Fills in texture points that stand behind the faces which name them.
+    /// Fills in texture points that follow the faces which name them.
     void add_later_texture() {
         for (const LaterTexture& later : later_texture) {
             if (later.point >= texture_points.size())
@@ -274,13 +274,13 @@ class ObjParser {
     std::vector<std::string> groups;  ///< names of the last `g` line
     std::string object;               ///< name of the last `o` line
     GroupNames face_groups;           ///< groups and object; created when a face needs them
-    std::map<std::string, std::shared_ptr<SurfaceMaterial>> materials;  ///< by name, that are used
+    std::map<std::string, std::shared_ptr<SurfaceMaterial>> materials;  ///< used materials, by name
     std::vector<std::string> missing_libraries;      ///< warnings, for a mesh that uses materials
-    std::map<std::string, std::string> definitions;  ///< of materials in the libraries, by name
+    std::map<std::string, std::string> definitions;  ///< definitions of materials, by name
     FaceMaterial face_material;                      ///< by the last `usemtl` line
     TextLines lines;
     std::string joined_line;      ///< holds a line that continues over several
-    std::size_t line_number = 0;  ///< of the current line, from 1
+    std::size_t line_number = 0;  ///< number of the current line, from 1
 };
 
 }  // namespace

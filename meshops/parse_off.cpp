@@ -123,7 +123,7 @@ class OffText {
         line = lines.next_with_words(comment);
         if (!line) fail_at_end(file, where);
     }
-    /// Moves to where a vertex or a face begins, or may go on.
+    /// Moves to where a vertex or a face begins, or may continue.
     void next_element(const std::string& where) {
         if (layout == OffLayout::lines || line->is_at_end()) next_line(where);
     }
@@ -215,9 +215,9 @@ std::optional<PolygonSoup> parse_off_as(const std::filesystem::path& file, std::
     }
 }
 
-/// OFF knows no lines, yet many files have more or fewer numbers in them than the keyword says. Words come
-/// first, since they fit only if all of them are used; if nothing fits, what is wrong with lines is the
-/// error.
+/// OFF ignores the ends of lines, yet many files have more or fewer numbers in a line than the keyword says.
+/// `words` comes first, since it fits only if all words are used; if no layout fits, the error is that of
+/// `lines`.
 PolygonSoup parse_off_text(const std::filesystem::path& file, std::string_view text) {
     for (const OffLayout layout : {OffLayout::words, OffLayout::lines, OffLayout::face_colours})
         if (auto soup = parse_off_as(file, text, layout)) return std::move(*soup);

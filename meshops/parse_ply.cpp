@@ -135,9 +135,9 @@ class PlyRows {
     const std::filesystem::path& file;
     PlyFormat format;
     std::size_t text_size;
-    TextLines lines;               ///< of a text, the lines not read yet
-    std::optional<TextLine> line;  ///< of a text, the rest of the current line
-    std::string_view bytes;        ///< of a binary file, the bytes not read yet
+    TextLines lines;               ///< lines of a text not read yet
+    std::optional<TextLine> line;  ///< rest of the current line of a text
+    std::string_view bytes;        ///< bytes of a binary file not read yet
     const PlyElement* element = nullptr;
     std::size_t row = 0, first_line = 0;
     std::vector<std::vector<double>> values;
@@ -154,7 +154,7 @@ class ColourColumns {
         }
     }
 
-    /// Takes those of a row, if the element has any.
+    /// Adds the colour of a row, if the element has colours.
     void add(const std::vector<std::vector<double>>& row) {
         if (columns.size() < 3) return;
         auto& parts = values.emplace_back();
@@ -175,7 +175,8 @@ class ColourColumns {
         return result;
     }
 
-    /// Returns the values of the property `column` as parts of a colour, 0 to 1; none: it is no part of one.
+    /// Returns the values of the property `column` as parts of a colour, 0 to 1; nullopt if it is no part of
+    /// a colour.
     std::optional<std::vector<double>> shares(std::size_t column) const {
         const auto found = std::ranges::find(columns, column);
         if (columns.size() < 3 || found == columns.end()) return std::nullopt;
@@ -189,8 +190,8 @@ class ColourColumns {
     double share(std::size_t row, std::size_t i) const {
         return std::isfinite(values[row][i]) ? values[row][i] / full(i) : 0;
     }
-    /// The number for full light. Integers fill the range of their type, and other numbers go from 0 to 1,
-    /// but files have 0 to 255 in all types, which the largest number tells.
+    /// Value of full intensity. Integers fill the range of their type, and other numbers go from 0 to 1, but
+    /// some files have 0 to 255 in all types, as the largest value shows.
     double full(std::size_t i) const {
         constexpr double brighter_than_white = 16;  // as some programs have it
         const PlyType type = element.properties[columns[i]].type;
@@ -238,7 +239,7 @@ void skip(PlyRows& rows, const PlyElement& element) {
     for (std::size_t row = 0; row < element.rows; ++row) rows.next(element, row);
 }
 
-/// The number of a property that has one value; an Error if there is none of this name.
+/// Index of the property `name`, which must have one value. Throws Error if there is none.
 std::size_t single_property(const std::filesystem::path& file, const PlyElement& element,
                             const std::string& name) {
     std::string known;
@@ -261,7 +262,7 @@ std::vector<std::size_t> corners(const std::vector<double>& values) {
     return polygon;
 }
 
-/// The number of the property that lists vertices.
+/// Index of the property that lists vertices.
 std::size_t vertex_list(const std::filesystem::path& file, const PlyElement& element) {
     const auto list = element.find({"vertex_indices", "vertex_index"});
     if (!list || !element.properties[*list].count || !is_integer(element.properties[*list].type))
@@ -271,8 +272,9 @@ std::size_t vertex_list(const std::filesystem::path& file, const PlyElement& ele
     return *list;
 }
 
-/// Strips of triangles, as scanners of the nineties wrote them: each vertex makes one with the two before it,
-/// every other one turned over; -1 begins another strip, and a vertex that is there twice only turns.
+/// Reads strips of triangles, as scans of the 1990s have them: each vertex makes a triangle with the two
+/// before it, every second one turned over; -1 begins another strip, and a repeated vertex makes no triangle,
+/// but changes the orientation of the following ones.
 void read_strips(PlyRows& rows, const PlyElement& element, PolygonSoup& soup) {
     const std::size_t list = vertex_list(soup.file, element);
     for (std::size_t row = 0; row < element.rows; ++row) {

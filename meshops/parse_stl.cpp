@@ -23,8 +23,8 @@ bool fits_binary(std::string_view bytes) {
     return bytes.size() >= stl_header && bytes.size() - stl_header == stl_record * promised_triangles(bytes);
 }
 
-/// The number of triangles that a binary file has. Programs that write it as they go leave 0 or the largest
-/// number in the header, and some count less than they write: then there are as many as there is room for.
+/// Number of triangles in a binary file. Some programs leave 0 or the largest number in the header, and some
+/// state fewer than they write: then the size of the file gives the number.
 std::size_t count_triangles(PolygonSoup& soup, std::string_view bytes) {
     constexpr std::uint32_t unknown = -1;
     const std::size_t promised = promised_triangles(bytes);
@@ -137,7 +137,7 @@ class StlText {
         return lower_case(line.next_word()) == "facet" && lower_case(line.next_word()) == "normal";
     }
 
-    /// Outside of solids there may be any text, which has facets only where they have a normal.
+    /// Any text may stand outside of solids; a `facet` counts there only if `normal` follows.
     void begin_facet() {
         TextLine ahead = words.rest_of_line();
         if (!is_in_solid && lower_case(ahead.next_word()) != "normal") return;
@@ -167,7 +167,7 @@ class StlText {
     bool is_complete = false;  ///< whether an `endsolid` is behind the last facet
 };
 
-/// Text without the zero bytes that some programs fill up its end with.
+/// Text without the zero bytes with which some programs pad its end.
 std::string_view without_padding(std::string_view text) {
     return text.substr(0, text.find_last_not_of('\0') + 1);
 }

@@ -30,7 +30,7 @@ std::set<Face> faces_at(const Mesh& mesh, const std::set<Vertex>& vertices) {
     return faces;
 }
 
-/// Copies faces of the mesh. One that cannot be added stays outside, as those beyond the rim do.
+/// Copies faces of the mesh. Faces that cannot be added stay outside, like those beyond the rim.
 void copy_faces(const Mesh& mesh, const std::set<Face>& faces, Patch& patch) {
     std::map<Vertex, Vertex> local;
     for (const Face face : faces) {

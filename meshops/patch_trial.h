@@ -6,7 +6,7 @@
 
 namespace sherd {
 
-/// A change that is tried on a copy of a patch, and can be done on the mesh then.
+/// A change that is tried on a copy of a patch, and can then be applied to the mesh.
 class PatchTrial {
   public:
     explicit PatchTrial(const Patch& patch);
@@ -14,38 +14,38 @@ class PatchTrial {
     PatchTrial& operator=(const PatchTrial&) = delete;
 
     const Mesh& mesh() const { return sheet; }
-    /// The operations of Retriangulation. A born vertex is fixed; halves of lines are lines.
+    /// The operations of Retriangulation. An inserted vertex is fixed; halves of lines are lines.
     Vertex split_edge(Halfedge h, double t);
     Vertex split_face(Face face, const Eigen::Vector3d& weights);
     void move(Vertex vertex, const SurfacePoint& place);
-    /// Gives an edge's faces their other diagonal.
+    /// Replaces an edge by the other diagonal of its two faces.
     void flip(Edge edge);
     bool can_flip(Edge edge) const { return !line[edge] && edits.can_flip(edge); }
-    void fix(Vertex vertex) { mobility[vertex] = Mobility::fixed; }  ///< from now on it stays
-    /// From now on the edge is a line, and its ends stay.
+    void fix(Vertex vertex) { mobility[vertex] = Mobility::fixed; }  ///< the vertex stays from now on
+    /// Makes the edge a line whose ends stay from now on.
     void keep(Edge edge);
 
-    /// Flips edges and moves free vertices until no angle of a changed face is below `bound` (rad), or as
-    /// long as it helps.
+    /// Flips edges and moves free vertices until no angle of a changed face is below `bound` (rad), or
+    /// nothing improves.
     void improve(double bound);
 
-    /// Of the changed faces, rad; -1 if one has turned over.
+    /// Smallest angle of the changed faces, rad; -1 if one has turned over.
     double smallest_angle() const;
-    /// Of the faces that are replaced, as they were, rad.
+    /// Smallest angle of the replaced faces before the change, rad.
     double replaced_angle() const;
-    /// What became of the mesh that the patch was taken from.
+    /// Result of apply().
     struct Applied {
         TopologyChange change;
-        std::vector<Vertex> vertices;  ///< of the mesh, for each of the trial
+        std::vector<Vertex> vertices;  ///< vertex of the mesh for each vertex of the trial
     };
-    /// Does the same on that mesh.
+    /// Applies the change to the mesh from which the patch was taken.
     Applied apply(Mesh& to) const;
 
   private:
     struct Step {
         enum Kind { split_edge, split_face, flip, move } kind;
         std::array<Vertex, 3> vertices;  ///< ends of the edge, or corners of the face
-        Eigen::Vector3d weights;         ///< of these
+        Eigen::Vector3d weights;         ///< weights of these vertices
         Vertex moved = Mesh::null_vertex();
     };
 

@@ -21,7 +21,7 @@ std::array<Halfedge, 3> sides_of(const Mesh& mesh, const std::array<Vertex, 3>& 
     return sides;
 }
 
-/// The point, or the one on a line of its face that is nearest to it if that is near.
+/// Returns the point, or the nearest point on a line of its face if that is within `near` (m).
 SurfacePoint drawn_to_lines(const Patch& patch, const SurfacePoint& point, double near) {
     const Vector3d place = position(patch.mesh, point);
     const std::array<Halfedge, 3> sides = sides_of(patch.mesh, point.corners);

@@ -16,7 +16,7 @@ namespace {
 using Eigen::Vector2d;
 using Segment = std::array<Vector2d, 2>;
 
-constexpr double round_off = 1e-6;  // of the outline's diagonal: what is nearer than that meets
+constexpr double round_off = 1e-6;  // share of the outline's diagonal: nearer points coincide
 
 Kernel::Point_2 exact(const Vector2d& p) {
     return {p.x(), p.y()};
@@ -138,7 +138,7 @@ std::vector<Vector2d> meeting_points(const Segment& a, const Segment& b, double 
     return found;
 }
 
-/// Of a slit with earlier slits and itself.
+/// Fault of a slit where it meets earlier slits or itself; empty if there is none.
 std::string fault_of_meetings(const Polygon& polygon, std::size_t number, double reach) {
     const std::vector<Segment> own = sides_of(polygon.slits[number], false);
     for (std::size_t i = 0; i <= number; ++i) {
@@ -164,7 +164,7 @@ std::string fault_of_slit(const Polygon& polygon, std::size_t number) {
     for (const auto& [side, end] : {std::pair(0u, 0), std::pair(unsigned(sides.size() - 1), 1)}) {
         Vector2d& tip = sides[side][end];
         const Vector2d inward = sides[side][1 - end] - tip;
-        // What ends on an outline is looked at from beside it on.
+        // A slit that ends on an outline is checked from a point beside that.
         if (is_on(borders, tip, reach)) tip += std::min(0.5, 4 * reach / inward.norm()) * inward;
     }
     const Vector2d tip = sides.front()[0];
@@ -175,7 +175,8 @@ std::string fault_of_slit(const Polygon& polygon, std::size_t number) {
     return fault_of_meetings(polygon, number, reach);
 }
 
-/// Puts `point`, which is on the line's side `side`, into it, as a point of its own unless it is one already.
+/// Inserts `point` into the line's side `side`, on which it lies; an end of the side within `reach` (m) is
+/// moved there instead.
 void put(Polyline& line, std::size_t side, const Vector2d& point, double reach) {
     for (const std::size_t end : {side, (side + 1) % line.size()})
         if ((line[end] - point).norm() <= reach) {

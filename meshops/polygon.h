@@ -11,27 +11,27 @@ namespace sherd {
 /// Points (m) that are joined by straight lines.
 using Polyline = std::vector<Eigen::Vector2d>;
 
-/// A flat region: what is inside its outline and outside its holes, open along its slits. Outline and holes
-/// are closed by themselves and may run either way.
+/// A flat region inside its outline and outside its holes, open along its slits. Outline and holes close by
+/// themselves and may have either orientation.
 struct Polygon {
     Polyline outline;
     std::vector<Polyline> holes, slits;
 };
 
-/// What is wrong with a polygon, and of which member.
+/// Fault of a polygon, and the member that has it.
 struct PolygonFault {
     std::string part;  ///< "outline", "holes" or "slits"
     std::string what;  ///< without the part's name: "hole 2 crosses itself"; numbers are from 1
 };
 
-/// Looks whether outline and holes are simple polygons of three points or more, holes are inside the outline
-/// and apart, and slits are inside the region. A slit may end on the outline or a hole, cross other slits and
-/// end on them.
+/// Returns a fault unless outline and holes are simple polygons of three points or more, holes are inside the
+/// outline and apart, and slits are inside the region. A slit may end on the outline or a hole, cross other
+/// slits and end on them.
 std::optional<PolygonFault> fault_of(const Polygon& polygon);
 
-/// Returns the same with the ends of slits that are on an outline, up to round-off of their decimals, put
-/// onto it exactly as points of both, and with a point in both slits where two meet. The polygon must have no
-/// fault.
+/// Returns the polygon with common points at its junctions: ends of slits that are on the outline or a hole,
+/// up to round-off of their decimals, are moved onto it exactly and become points of both, and slits that
+/// meet get a point in both. The polygon must have no fault.
 Polygon with_junctions(Polygon polygon);
 
 double area(const Polygon& polygon);  ///< m^2

@@ -116,7 +116,7 @@ std::vector<std::size_t> polygons_of_few_corners(const PolygonSoup& soup) {
 }
 
 std::size_t join_duplicate_points(PolygonSoup& soup) {
-    // Points that are not used may be no numbers, which have no order.
+    // Unused points may be NaN, which has no order.
     std::vector<std::size_t> order = chosen_points(used_points(soup));
     std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
         return soup.points[a] != soup.points[b] ? soup.points[a] < soup.points[b] : a < b;

@@ -18,13 +18,13 @@ struct PolygonSoup {
     std::filesystem::path file;
     std::vector<Point> points;
     std::vector<std::vector<std::size_t>> polygons;     ///< corners, as indices into `points`
-    std::vector<std::vector<Eigen::Vector2d>> texture;  ///< of each corner; empty without any
-    std::vector<Eigen::Vector3d> axis;      ///< material axis of each polygon; empty if there are none
-    std::vector<GroupNames> groups;         ///< of each polygon; empty if the format has no groups
-    std::vector<FaceMaterial> material;     ///< of each polygon; empty if there are none
-    std::vector<Colour> point_colour;       ///< of each point; empty if there are none
-    std::vector<Colour> colour;             ///< of each polygon; empty if there are none
-    std::vector<std::string> warnings;      ///< sentences on what the file names and is not there
+    std::vector<std::vector<Eigen::Vector2d>> texture;  ///< texture coordinates of each corner; empty: none
+    std::vector<Eigen::Vector3d> axis;                  ///< material axis of each polygon; empty: none
+    std::vector<GroupNames> groups;         ///< groups of each polygon; empty if the format has none
+    std::vector<FaceMaterial> material;     ///< material of each polygon; empty: none
+    std::vector<Colour> point_colour;       ///< colour of each point; empty: none
+    std::vector<Colour> colour;             ///< colour of each polygon; empty: none
+    std::vector<std::string> warnings;      ///< sentences on missing files and skipped content
     std::vector<std::size_t> point_line;    ///< line of each point, from 1; empty if the format has no lines
     std::vector<std::size_t> polygon_line;  ///< line of each polygon, likewise
 };
@@ -41,7 +41,8 @@ PolygonSoup read_polygon_soup(const std::filesystem::path& file);
 PolygonSoup parse_obj(const std::filesystem::path& file, std::string_view text);
 /// Parses the content of an STL file, text or binary.
 PolygonSoup parse_stl(const std::filesystem::path& file, std::string_view text);
-/// Parses the content of a PLY file: the elements `vertex` and `face`, with material axes of the latter.
+/// Parses the content of a PLY file: the elements `vertex` and `face`, with colours of both and material axes
+/// of the latter, or `tristrips` if there are no faces.
 PolygonSoup parse_ply(const std::filesystem::path& file, std::string_view content);
 /// The values of the property `name` of the element `vertex` of a PLY file, for read_vertex_property().
 std::vector<double> parse_ply_property(const std::filesystem::path& file, std::string_view content,
@@ -64,18 +65,18 @@ std::string place_of_polygon(const PolygonSoup& soup, std::size_t polygon);
 /// that polygons use are finite.
 void check_polygon_soup(const PolygonSoup& soup);
 
-/// Whether polygons use each point; those of fewer than three corners do not.
+/// Whether a polygon of three or more corners uses each point: [P].
 std::vector<bool> used_points(const PolygonSoup& soup);
-/// Polygons of fewer than three corners, which bound nothing, ascending. A polygon of none stands for one
-/// that was dropped, and is not among them.
+/// Polygons of fewer than three corners, which bound nothing, ascending; also those without any, which stand
+/// for dropped ones.
 std::vector<std::size_t> polygons_of_few_corners(const PolygonSoup& soup);
 
 /// Replaces, in the polygons, points at exactly the same place by the first of them. Returns the number of
 /// points that are no longer used for this reason.
 std::size_t join_duplicate_points(PolygonSoup& soup);
-/// Replaces points at the border, on sides of one polygon, each by the nearest earlier one that stays and is
-/// not farther away than `distance`. Returns the number of points that are no longer used for this reason.
-/// Throws Error if that is not small against the sides.
+/// Replaces each point on the boundary, on sides of one polygon, by the nearest earlier one that stays and is
+/// within `distance`. Returns the number of points that are no longer used for this reason. Throws Error
+/// unless twice the distance is below the mean length of these sides.
 std::size_t join_near_points(PolygonSoup& soup, double distance);
 /// Whether there is more than one polygon and no two of them have a corner in common, as in formats without
 /// shared points.

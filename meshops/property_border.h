@@ -5,8 +5,8 @@
 
 namespace sherd {
 
-/// Whether the faces on both sides of an inner edge are in other groups, have other materials, or have other
-/// texture coordinates at it. No edge of a border is one.
+/// Whether the two faces of an interior edge differ in their groups, materials, or texture coordinates at it.
+/// Returns false for edges of the boundary.
 bool is_property_border(const Mesh& mesh, Halfedge h);
 
 }  // namespace sherd

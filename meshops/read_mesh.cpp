@@ -56,8 +56,8 @@ struct Reading {
     }
 
     void drop_few_corners();
-    /// Joins points as the options say. Returns the number of points that are no longer used, and a sentence
-    /// on that, or none.
+    /// Joins points according to the options. Returns the number of points that are no longer used, and a
+    /// warning about them or an empty text.
     std::pair<std::size_t, std::string> join_points();
     void drop_repeated_polygons();
     void divide_edges();

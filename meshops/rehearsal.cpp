@@ -24,10 +24,10 @@
 namespace sherd {
 namespace {
 
-/// Memory that both processes see; zeros at first.
+/// Memory shared by both processes; initially zero.
 struct Report {
     enum class End { none, passed, failed } end;
-    std::array<char, 2048> words;  ///< of the exception; the last one stays 0
+    std::array<char, 2048> words;  ///< message of the exception; the last character stays 0
 };
 
 struct Unmap {
@@ -44,8 +44,8 @@ std::unique_ptr<Report, Unmap> shared_report() {
     return std::unique_ptr<Report, Unmap>(new (memory) Report{});
 }
 
-/// Ends TBB's threads, which the next use of it starts again: in a copy they would be missing, maybe with a
-/// lock of theirs still held. Returns whether they have ended.
+/// Ends TBB's threads, which TBB starts again when needed: a forked process lacks them, but may inherit a
+/// lock that one of them holds. Returns whether they have ended.
 bool end_tbb_threads() {
     tbb::task_scheduler_handle tbb_threads{tbb::attach{}};
     return tbb::finalize(tbb_threads, std::nothrow);
@@ -56,7 +56,7 @@ void limit(decltype(RLIMIT_CPU) resource, rlim_t most) {
     getrlimit(resource, &limits);
     limits.rlim_cur = std::min(limits.rlim_cur, most);
     limits.rlim_max =
-        std::min(limits.rlim_max, most);  // exceeded, it ends a process that ignores SIGXCPU, too
+        std::min(limits.rlim_max, most);  // the hard limit also ends a process that ignores SIGXCPU
     setrlimit(resource, &limits);
 }
 
@@ -66,8 +66,8 @@ void limit_memory(std::uint64_t more) {
         limit(RLIMIT_AS, pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) + more);
 }
 
-/// Nobody is to hear of this process, however it ends, and it is not to outlive its parent, whose locks it
-/// shares. Interruption stays as it is: from a terminal it reaches both.
+/// Suppresses output, core dumps and signal handlers of the copy, and ends it with its parent, whose locks it
+/// shares. Interruption is not changed: from a terminal it reaches both processes.
 void be_shadow_of(pid_t parent) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent) _exit(0);
@@ -77,7 +77,8 @@ void be_shadow_of(pid_t parent) {
     for (const int output : {STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, output);
 }
 
-/// Ends the process, and by noexcept also if something is thrown that is no std::exception.
+/// Runs `work`, reports its result and ends the process; noexcept ends it also if something other than a
+/// std::exception is thrown.
 [[noreturn]] void perform(const std::function<void()>& work, const RehearsalLimits& limits,
                           Report& report) noexcept {
     limit(RLIMIT_CPU, limits.seconds);
@@ -91,7 +92,7 @@ void be_shadow_of(pid_t parent) {
         std::copy_n(words.begin(), std::min(words.size(), report.words.size() - 1), report.words.begin());
         report.end = Report::End::failed;
     }
-    _exit(0);  // without the ends of static objects and without what stands in buffers: the parent has both
+    _exit(0);  // skips static destructors and buffered output: the parent has both
 }
 
 }  // namespace

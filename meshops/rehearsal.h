@@ -7,17 +7,17 @@
 
 namespace sherd {
 
-/// What a rehearsal may use.
+/// Limits on the resources of a rehearsal.
 struct RehearsalLimits {
     std::uint64_t memory = std::uint64_t(1) << 30;  ///< bytes, beyond what the process has already
-    std::uint64_t seconds = 60;                     ///< of processor time
+    std::uint64_t seconds = 60;                     ///< processor time
 };
 
-/// Does `work` in a copy of this process, which ends with it: what crashes there, or writes where it must
-/// not, does so in the copy alone, and nothing else remains of it. Afterwards the same can be done here.
-/// Throws an Error of what the exception says that `work` throws there; of `crash` if it ends otherwise or
-/// exceeds a limit; or with Fault::run if there can be no further process. Does nothing while other threads
-/// use TBB, as a copy has no thread but this one.
+/// Runs `work` in a forked copy of this process, which then exits. A crash or an invalid write happens in the
+/// copy only, and nothing else remains of it; without one, the caller can safely repeat `work` in this
+/// process. Throws Error with the message of an exception that `work` throws there; with the message `crash`
+/// if the copy ends otherwise or exceeds a limit; or with Fault::run if no process can be started. Does
+/// nothing while other threads use TBB, since a forked process has this thread only.
 void rehearse(const std::function<void()>& work, const RehearsalLimits& limits, const std::string& crash);
 
 }  // namespace sherd

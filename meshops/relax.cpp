@@ -64,7 +64,7 @@ void move_to_centroids(const Surface& surface, const std::vector<Vector3d>& plac
         }
     }
     for (std::size_t i = points.fixed; i < points.parameter.size(); ++i) {
-        if (!(weight[i] > 0)) fail_to_generate();  // it is in no triangle
+        if (!(weight[i] > 0)) fail_to_generate();  // the point is in no triangle
         points.parameter[i] = surface.project(moment[i] / weight[i], points.parameter[i]);
     }
 }

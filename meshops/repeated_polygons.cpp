@@ -10,7 +10,7 @@ namespace {
 using PolygonCorners = std::vector<std::size_t>;
 using PolygonSide = std::pair<std::size_t, std::size_t>;
 
-/// The corners in an order that does not depend on where they begin and which way round they go.
+/// Corners in an order that is independent of the first corner and of the orientation.
 PolygonCorners ordered_corners(const PolygonCorners& corners) {
     PolygonCorners best;
     PolygonCorners turned(corners.rbegin(), corners.rend());
@@ -26,7 +26,7 @@ void append_sides(const PolygonCorners& corners, std::vector<PolygonSide>& sides
         sides.push_back(std::minmax({corners[i], corners[(i + 1) % corners.size()]}));
 }
 
-/// The sides that are there an odd number of times: those between two parts of a polygon go.
+/// Sides that occur an odd number of times: sides between two parts of a polygon cancel.
 std::vector<PolygonSide> outline(std::vector<PolygonSide> sides) {
     std::ranges::sort(sides);
     std::vector<PolygonSide> result;

@@ -7,14 +7,14 @@
 
 namespace sherd {
 
-/// A polygon that covers what an earlier one covers.
+/// A polygon that repeats an earlier one, wholly or in part.
 struct RepeatedPolygon {
     std::size_t polygon, earlier;
 };
 
-/// Polygons of four or more corners that are there already, beginning with another corner or turned over, and
-/// polygons that repeat another one in parts, as its triangles do; ascending. Of a polygon and its parts what
-/// comes later repeats.
+/// Finds polygons of four or more corners that repeat an earlier one, with another first corner or turned
+/// over, and polygons that together repeat another one in parts, as its triangles do; ascending. If a part
+/// comes before its polygon, the polygon counts as repeated, otherwise the parts do.
 std::vector<RepeatedPolygon> repeated_polygons(const PolygonSoup& soup);
 
 }  // namespace sherd

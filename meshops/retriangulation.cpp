@@ -30,7 +30,7 @@ std::vector<PlaneTriangle> triangles_of(const UnfoldedFan& fan, const Vector2d& 
     return triangles;
 }
 
-/// Where a point near the faces of a fan is in their plane.
+/// Position, in the plane of an unfolded fan, of a point near the fan's faces.
 Vector2d place_in(const UnfoldedFan& fan, const Mesh& mesh, Vertex centre, const Vector3d& point) {
     double least = std::numeric_limits<double>::infinity();
     Vector2d place = Vector2d::Zero();

@@ -13,15 +13,15 @@ namespace sherd {
 struct ReplacedFace {
     std::array<Vertex, 3> corners;
     double area;             ///< m^2
-    Eigen::Vector3d normal;  ///< twice the area long, m^2
-    FaceTexture texture;     ///< where the mesh has any
+    Eigen::Vector3d normal;  ///< with twice the area as its length, m^2
+    FaceTexture texture;     ///< texture coordinates, if the mesh has any
 };
 
-/// Other triangles for the same sheet, with ancestry. Each of the operations passes the area of the faces
-/// that it replaces on to the new ones. Where these are in one plane, what a new face receives is its area.
+/// Changes the triangles of a sheet and records the parents of each new element. Each operation distributes
+/// the area of the faces that it replaces among the new ones. In a plane each new face receives its own area.
 /// On curved sheets the fractions are measured in the plane into which the faces are unfolded: two faces
-/// about their edge; all faces around a vertex with their sides as long, and their angles as large compared
-/// with each other, as they are.
+/// about their edge; the faces around a vertex with unchanged side lengths and with all angles scaled by a
+/// common factor.
 class Retriangulation {
   public:
     /// `mesh` must outlive this.
@@ -34,28 +34,28 @@ class Retriangulation {
     /// Whether flip() is possible: the edge has two faces which form a convex quadrilateral when unfolded,
     /// the other diagonal is no edge yet, and no face turns over.
     bool can_flip(Edge edge) const;
-    /// Gives the edge's faces their other diagonal.
+    /// Replaces the edge by the other diagonal of its two faces.
     void flip(Edge edge);
-    /// Moves a vertex; place: of the sheet as it was in the beginning, within the faces now at the vertex.
-    /// A vertex on the boundary may only slide along it. Where a face turns over by it the fractions are
-    /// wrong.
+    /// Moves a vertex to `place`, a point of the sheet before all changes that lies within the faces now at
+    /// the vertex. A vertex on the boundary may only slide along the boundary. If a face turns over, the
+    /// fractions are wrong.
     void move(Vertex vertex, const SurfacePoint& place);
 
-    /// The faces that are replaced so far, by the numbers that they keep, as they were.
+    /// The faces replaced so far, in their earlier state, by their numbers, which they keep.
     const std::map<Face, ReplacedFace>& replaced() const { return old_faces; }
-    std::vector<Face> changed_faces() const;  ///< those and the born ones, ascending
+    std::vector<Face> changed_faces() const;  ///< replaced and inserted faces, ascending
     bool is_changed(Face face) const { return shares.contains(face); }
-    /// Sum of the normals of what a face was made of, each by its area.
+    /// Sum of the normals of a face's parents, weighted by the areas that have passed to the face, m^2.
     Eigen::Vector3d ancestral_normal(Face face) const;
-    /// Where a vertex was in the beginning, m; of a born one, where it was put first.
+    /// Position of a vertex before all changes, m; for an inserted vertex, its present position.
     Eigen::Vector3d old_position(Vertex vertex) const;
 
-    /// Ends the change: texture coordinates, groups and axes of the mesh's faces follow, and what was done is
+    /// Ends the change: the new faces and vertices inherit the properties of the mesh, and the change is
     /// returned.
     TopologyChange finish();
 
   private:
-    using Fractions = std::map<Face, double>;  ///< of old faces
+    using Fractions = std::map<Face, double>;  ///< by old face
     using VertexWeights = std::map<Vertex, double>;
 
     void replace(Face face);
@@ -67,8 +67,8 @@ class Retriangulation {
     Mesh& mesh;
     std::size_t old_vertices, old_edges, old_face_count;
     std::map<Face, ReplacedFace> old_faces;
-    std::map<Face, Fractions> shares;          ///< of each changed face
-    std::map<Vertex, VertexWeights> places;    ///< of each born or moved vertex
+    std::map<Face, Fractions> shares;          ///< fractions of old faces in each changed face
+    std::map<Vertex, VertexWeights> places;    ///< weights of old vertices in each inserted or moved vertex
     std::map<Vertex, Eigen::Vector3d> origin;  ///< old position of each moved vertex
     std::vector<Born<Edge>> born_edges;
     std::vector<Edge> turned;

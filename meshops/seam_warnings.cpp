@@ -11,10 +11,10 @@
 namespace sherd {
 namespace {
 
-// Share of an edge's length: points nearer to it were hardly meant to be apart from it.
+// Share of an edge's length: points nearer to the edge than that are probably meant to lie on it.
 constexpr double near_share = 1e-3;
 
-/// The sentences on one soup.
+/// Warnings about the seams of a soup.
 struct SeamWarnings {
     const TriangleSoup& soup;
     const ReadMeshOptions& options;
@@ -28,7 +28,7 @@ struct SeamWarnings {
         return std::sqrt(CGAL::squared_distance(soup.points[a], soup.points[b]));
     }
     double mean_edge() const;
-    /// Advice to join what is at most `gap` apart, in units of the file.
+    /// Advice to join points that are at most `gap` apart, in units of the file.
     std::string advice(double gap) const;
 
     std::string on_seams() const;

@@ -9,9 +9,9 @@
 
 namespace sherd {
 
-/// Returns sentences on where a sheet is open although it does not look so: edges that lie on each other,
-/// edges that nearly do, and vertices on edges that they do not divide, with advice to join them. There are
-/// none if the options have no advice.
+/// Returns warnings about seams, where a sheet is open although it looks closed: edges that lie on each
+/// other, edges that nearly do, and vertices on edges that they do not divide, each with advice to join them.
+/// Returns none if `options.join_advice` is empty.
 std::vector<std::string> seam_warnings(const TriangleSoup& soup, const ReadMeshOptions& options);
 
 }  // namespace sherd

@@ -38,7 +38,7 @@ namespace {
 
 using EdgePoints = std::array<std::uint32_t, 2>;
 
-/// The edges of one triangle, ascending, and a grid of their ends.
+/// Boundary edges of a soup, ascending, and a grid of their ends.
 class SoupBorder {
   public:
     explicit SoupBorder(const TriangleSoup& soup) : soup(soup) {
@@ -81,8 +81,8 @@ class SoupBorder {
     std::optional<PointGrid> grid;
 };
 
-/// How far the ends of an edge are from those of the nearest other one at the border; none: there is none
-/// within `within`.
+/// Distance of an edge's ends from those of the nearest other boundary edge; nullopt if there is none within
+/// `within`.
 std::optional<double> gap_of(const SoupBorder& border, const EdgePoints& edge, double within) {
     std::optional<double> least;
     const std::vector<std::uint32_t> ends = border.near(edge[1], within);
@@ -157,7 +157,7 @@ class JunctionDivision {
         std::array<std::uint32_t, 3> corners;
         std::optional<FaceTexture> texture;
         std::size_t polygon;
-        std::array<bool, 3> is_open;  ///< of each side, whether points may be on it
+        std::array<bool, 3> is_open;  ///< whether points may lie on each side
     };
 
     std::span<const Junction> on_side(const Part& part, int side) const {
@@ -177,7 +177,7 @@ class JunctionDivision {
         if (part.texture) soup.texture.push_back(*part.texture);
     }
 
-    /// Cuts parts off a triangle, from the start of a side on.
+    /// Divides a triangle at the points on a side, beginning at the side's start.
     void add_parts(const Part& whole, int side, std::span<const Junction> points) {
         const int end = (side + 1) % 3, last = (side + 2) % 3;
         const bool is_rising = whole.corners[side] < whole.corners[end];

@@ -8,32 +8,31 @@
 
 namespace sherd {
 
-/// Edges of one triangle that lie exactly where others do, without being joined to them: what a crack that
-/// was opened looks like, and a seam that a modeller left open. In the order of their points, each as two
-/// points.
+/// Finds boundary edges that lie exactly on others without being joined to them, as along a crack that was
+/// opened, or a seam that a modeller left open. Each edge is two points; edges are in the order of these.
 std::vector<std::array<std::uint32_t, 2>> seam_edges(const TriangleSoup& soup);
 
-/// Edges of one triangle that lie nearly where others do.
+/// Boundary edges that lie nearly on others.
 struct NearSeams {
     std::vector<std::array<std::uint32_t, 2>> edges;  ///< in the order of their points
-    double length = 0;                                ///< of all of them
-    double gap = 0;                                   ///< the largest distance of their ends
+    double length = 0;                                ///< total length
+    double gap = 0;                                   ///< largest distance between their ends
 };
-/// Seams that are open by more than nothing and at most `share` of the edge.
+/// Finds seams with a gap above 0 and at most `share` of the edge's length.
 NearSeams near_seams(const TriangleSoup& soup, double share);
 
-/// A point on an edge of one triangle, which it does not divide, and which has another end (a T-junction).
+/// A point on a boundary edge, between the edge's ends, that does not divide the edge (a T-junction).
 struct Junction {
     std::array<std::uint32_t, 2> edge;  ///< ascending
     std::uint32_t point;
     PlaceOnSegment place;
 };
-/// The T-junctions where the distance is at most `share` of the edge and `distance`, by edge and from its
-/// lower end on.
+/// Finds T-junctions whose distance from the edge is at most `distance` and at most `share` of the edge's
+/// length; in the order of edges, and along each from its lower end.
 std::vector<Junction> junctions(const TriangleSoup& soup, double share, double distance);
 
-/// Divides edges by the points that are on them (junctions() up to `distance`), with the texture coordinates
-/// of their triangles. Returns the number of edges.
+/// Divides edges at the points on them (junctions() up to `distance`) and interpolates texture coordinates.
+/// Returns the number of divided edges.
 std::size_t divide_at_junctions(TriangleSoup& soup, double distance);
 
 }  // namespace sherd

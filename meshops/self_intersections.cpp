@@ -27,10 +27,10 @@ Extent extent_of(const Mesh& mesh, Face face) {
     return extent;
 }
 
-/// The faces of a mesh in strips along y, each in all that it reaches into. In a mesh that is flat in z CGAL
-/// looks at all faces along a line at once, which takes time with the power 1.5 of their number.
+/// Faces of a mesh in strips along y, each face in all strips that it reaches. In a mesh that is flat in z
+/// CGAL compares all faces along a line at once, which takes time with the power 1.5 of their number.
 std::vector<std::vector<Face>> strips(const Mesh& mesh) {
-    std::vector<Extent> extents(mesh.num_faces());  // those that are removed, too
+    std::vector<Extent> extents(mesh.num_faces());  // including removed faces
     Extent all;
     double lengths = 0;
     for (const Face face : mesh.faces()) {
@@ -39,7 +39,7 @@ std::vector<std::vector<Face>> strips(const Mesh& mesh) {
         lengths += one.length();
     }
     const auto faces = static_cast<double>(mesh.number_of_faces());
-    // More would have each face twice on the mean.
+    // More strips would contain each face twice on the mean.
     const double most = lengths > 0 ? all.length() * faces / lengths : 1;
     const double count = std::floor(std::clamp(faces / faces_in_a_strip, 1.0, std::max(most, 1.0)));
     const auto strip_at = [&](double y) {

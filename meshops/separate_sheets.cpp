@@ -14,13 +14,13 @@ namespace {
 using EdgeSides = std::span<const SoupSide>;
 using SidePair = std::array<SoupSide, 2>;
 
-/// Two triangles at an edge of more than two, with what speaks for their being one sheet.
+/// Two triangles at an edge of more than two, with the criteria for keeping them joined.
 struct SheetPair {
     SidePair sides;
-    bool disagree;   ///< their orientations do
-    bool elsewhere;  ///< nothing but such edges joins them
-    double bend;     ///< from one to the other, in millionths of a radian, so that round-off decides nothing
-    bool inward;     ///< they bend towards their normals
+    bool disagree;   ///< whether their orientations disagree
+    bool elsewhere;  ///< whether only edges of more than two triangles join them
+    double bend;     ///< dihedral angle in 1e-6 rad, rounded so that round-off decides nothing
+    bool inward;     ///< whether they bend towards their normals
 
     auto key() const { return std::tuple(disagree, elsewhere, bend, inward); }
     auto order() const { return std::tuple(key(), sides[0].triangle, sides[1].triangle); }
@@ -33,7 +33,7 @@ Kernel::Vector_3 unit(const Kernel::Vector_3& v) {
     return v / std::sqrt(v.squared_length());
 }
 
-/// Unit vector in the plane of a side's triangle, square to the side and away from it.
+/// Unit vector in the plane of a side's triangle, perpendicular to the side and away from it.
 Kernel::Vector_3 away_from(const TriangleSoup& soup, const SoupSide& side) {
     const auto& triangle = soup.triangles[side.triangle];
     const Point& start = soup.points[triangle[side.corner]];
@@ -55,7 +55,7 @@ SheetPair sheet_pair(const TriangleSoup& soup, DisjointSets& parts, const SoupSi
             a.is_rising != b.is_rising && normal * way_b > 0};
 }
 
-/// The pairs of an edge's triangles that go on as one sheet. parts: triangles joined by edges of two.
+/// Pairs of an edge's triangles that stay joined. parts: triangles connected by edges of two triangles.
 std::vector<SidePair> sheets_at(const TriangleSoup& soup, DisjointSets& parts, EdgeSides sides) {
     if (sides.size() == 2) return {{sides[0], sides[1]}};
     std::vector<SheetPair> candidates;
@@ -82,7 +82,7 @@ std::vector<SidePair> sheets_at(const TriangleSoup& soup, DisjointSets& parts, E
     return pairs;
 }
 
-/// Triangles that are joined by edges of two.
+/// Sets of triangles connected by edges of two triangles.
 DisjointSets parts_of(const TriangleSoup& soup) {
     DisjointSets parts(soup.triangles.size());
     for_each_soup_edge(soup, [&](EdgeSides sides) {
@@ -97,7 +97,7 @@ std::uint32_t double_point(TriangleSoup& soup, std::uint32_t point) {
     return static_cast<std::uint32_t>(soup.points.size() - 1);
 }
 
-/// Sets of corners (3 t + corner) at a point that sheets join across their edges.
+/// Sets of corners (3 t + corner) at a point that are joined across edges within a sheet.
 DisjointSets fans(const TriangleSoup& soup) {
     DisjointSets parts = parts_of(soup), sets(3 * soup.triangles.size());
     const auto corner = [](const SoupSide& side, bool low) {
@@ -133,7 +133,7 @@ std::vector<std::uint32_t> separate_fans(TriangleSoup& soup) {
     return doubled;
 }
 
-/// Detaches all but one sheet's triangles of each edge with three or more. Returns the points that were
+/// Detaches all triangles but one pair from each edge with three or more. Returns the points that were
 /// duplicated.
 std::vector<std::uint32_t> detach_surplus(TriangleSoup& soup) {
     DisjointSets parts = parts_of(soup);
@@ -163,7 +163,7 @@ std::vector<std::uint32_t> separate_sheets(TriangleSoup& soup) {
     std::vector<std::uint32_t> doubled;
     while (true) {
         auto now = separate_fans(soup);
-        // Triangles that still share such an edge are connected all around both of its ends.
+        // Triangles that still share an edge of three or more are connected all around both of its ends.
         if (now.empty()) now = detach_surplus(soup);
         if (now.empty()) break;
         doubled.insert(doubled.end(), now.begin(), now.end());

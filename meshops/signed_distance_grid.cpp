@@ -23,7 +23,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double most_voxels = 1e8;  // 0.4 GB
-// Of a level set's voxels; beyond, the file is damaged or its transform wrong.
+// Largest ratio of a voxel's sides in a level set; beyond it, the file is damaged or its transform wrong.
 constexpr double most_oblong = 20;
 constexpr double layer_beyond = 3;  // voxels that the spline uses beyond the farthest point of evaluation
 
@@ -69,12 +69,13 @@ void require_few_voxels(const Polygons& polygons, double voxel, double reach) {
     Eigen::AlignedBox3d box;
     for (const openvdb::Vec3s& p : polygons.points) box.extend(eigen(p));
     const double voxels = ((box.diagonal().array() + 2 * reach) / voxel + 2 * layer_beyond).prod();
-    if (!(voxels <= most_voxels))  // NaN, too, as damaged files have it
+    if (!(voxels <= most_voxels))  // also NaN, as in damaged files
         throw Error(text("would take ", voxels, " voxels of ", voxel, " m, more than ", most_voxels,
                          ": make them larger"));
 }
 
-/// Throws Error if voxels are so oblong that cubes of their smallest side would be very many.
+/// Returns the smallest side of a voxel, m. Throws Error if voxels are so oblong that cubes of that side
+/// would be too many.
 double smallest_side(const openvdb::Vec3d& size) {
     const auto [smallest, largest] = std::minmax({size.x(), size.y(), size.z()});
     if (largest > most_oblong * smallest)
@@ -180,7 +181,7 @@ struct SignedDistanceGrid::State {
         for (const Vector3d& p : surface.points) box.extend(p - margin).extend(p + margin);
     }
 
-    /// Of a file's grid; throws Error, or what OpenVDB throws.
+    /// State of a level set of a file. Throws Error, or exceptions of OpenVDB.
     static std::shared_ptr<const State> of(const openvdb::FloatGrid& level_set, double scale, double reach);
 };
 

@@ -29,7 +29,7 @@ class SignedDistanceGrid {
         Eigen::Matrix3d hessian;  ///< 1/m
     };
 
-    /// m, size of the smallest voxels: OpenVDB takes no transform whose determinant is below 3e-15.
+    /// Smallest size of a voxel, m: OpenVDB rejects transforms whose determinant is below 3e-15.
     static constexpr double finest = 2e-5;
 
     /// Samples the solid in a mesh. voxel, reach: m, size of the voxels and minimum height of the layer.
@@ -39,7 +39,7 @@ class SignedDistanceGrid {
     /// Reads the level set `name` of an OpenVDB file (empty: the only one), in its own world space times
     /// `scale`. Its voxels are used unchanged; beyond the layer that it has, distances from its surface are
     /// added, inward to the middle and outward up to `reach` (m). If the voxels are not cubic, only the
-    /// surface is kept and the distances are computed anew. Throws Error naming the file if it is missing,
+    /// surface is kept and the distances are computed again. Throws Error naming the file if it is missing,
     /// damaged or no OpenVDB file, if it has no such grid, if the grid is no level set, if its voxels are
     /// more than 20 times as long as wide, or if they are too fine or too many.
     static SignedDistanceGrid of_level_set(const std::filesystem::path& file, const std::string& name,

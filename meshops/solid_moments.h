@@ -6,17 +6,17 @@
 namespace sherd {
 
 /// The volume within a closed mesh and its moments, exact sums over tetrahedra. Where closed components
-/// overlap, what is in both counts twice; cavities, whose normals point into them, do not count.
+/// overlap, the overlap counts twice; cavities, whose normals point into them, do not count.
 struct SolidMoments {
     double volume = 0;       ///< m^3, negative if the mesh is inside out
-    Eigen::Vector3d centre;  ///< m, of mass
+    Eigen::Vector3d centre;  ///< m, centre of mass
     Eigen::Matrix3d second;  ///< m^5, the integral of (x - centre)(x - centre)^T
 
-    /// m^5, about the centre, for each unit of density.
+    /// Inertia tensor about the centre per unit of density, m^5.
     Eigen::Matrix3d inertia() const { return second.trace() * Eigen::Matrix3d::Identity() - second; }
 };
 
-/// Of a mesh that is open the moments depend on where it lies.
+/// Moments of a closed mesh; those of an open mesh depend on its position.
 SolidMoments solid_moments(const Mesh& mesh);
 
 }  // namespace sherd

@@ -9,7 +9,7 @@
 
 #include "meshops/error.h"
 
-/// How the generators space their vertices.
+/// Spacing of the vertices of generated meshes.
 namespace sherd::spacing {
 
 inline constexpr int iterations = 20;  ///< enough for good angles, too few for the vertices to form long rows
@@ -30,7 +30,7 @@ inline std::string text(double number) {
     return stream.str();
 }
 
-/// Throws Error where the edge length is larger than `largest` (m), which `shape` takes.
+/// Throws Error where the edge length is larger than `largest` (m), the largest that `shape` allows.
 inline void require_edge_length(double edge_length, double largest, const std::string& shape) {
     if (edge_length > largest)
         throw Error("cannot generate the mesh: edge_length " + text(edge_length) + " is too large for " +

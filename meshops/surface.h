@@ -28,8 +28,8 @@ struct SurfacePoints {
     std::size_t hole = 0;                             ///< the first vertices, which lie around a hole
     std::size_t fixed = 0;                            ///< the first vertices, which do not move
     std::vector<std::array<std::size_t, 2>> creases;  ///< pairs of fixed vertices that an edge must join
-    /// The same, of edges that bound the surface: what has an odd number of them between it and infinity is
-    /// inside. Without any, all within the convex hull is.
+    /// Pairs of fixed vertices that an edge of the boundary must join. A point is inside if a line from it to
+    /// infinity crosses an odd number of borders or, without any borders, if it is within the convex hull.
     std::vector<std::array<std::size_t, 2>> borders;
     bool is_closed = false;  ///< whether one more vertex, at the chart's infinity, closes the surface
     Eigen::Vector3d closing_point = Eigen::Vector3d::Zero();  ///< position of that vertex, m

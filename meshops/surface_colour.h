@@ -22,7 +22,7 @@ class ColourMean {
     void add(const Colour& colour, double weight) {
         for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weight * colour[i];
     }
-    /// Rounded; the weights must sum to 1.
+    /// Mean of the colours, rounded; the weights must sum to 1.
     Colour colour() const;
 
   private:

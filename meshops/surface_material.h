@@ -7,9 +7,9 @@
 
 namespace sherd {
 
-/// How a surface looks: a material of an OBJ file.
+/// Appearance of a surface: a material of an OBJ file.
 struct SurfaceMaterial {
-    std::string name;  ///< of `usemtl`
+    std::string name;  ///< name in `usemtl`
     /// Lines between its `newmtl` and the next one of the .mtl, with absolute paths of pictures; empty where
     /// no .mtl has it.
     std::string definition = {};

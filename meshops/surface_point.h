@@ -10,7 +10,7 @@ namespace sherd {
 
 /// A point of a surface, in one of its faces.
 struct SurfacePoint {
-    std::array<Vertex, 3> corners;  ///< of the face, counterclockwise
+    std::array<Vertex, 3> corners;  ///< vertices of the face, counterclockwise
     Eigen::Vector3d weights;        ///< barycentric: not negative, their sum is 1
 };
 

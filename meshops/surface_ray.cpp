@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr int most_faces = 200;  // of a ray: more means that it circles round a vertex by round-off
+constexpr int most_faces = 200;  // faces of a ray: with more, round-off makes it circle around a vertex
 
 struct RayStart {
     Halfedge opposite;  ///< side of the first face opposite to the tip
@@ -48,13 +48,13 @@ std::optional<RayStart> ray_start(const Mesh& mesh, Vertex tip, const Vector3d& 
     return start;
 }
 
-/// Where a line in the plane of a face leaves it.
+/// Exit of a line from a face: the side, and the distance (m) along the line.
 struct Exit {
     Halfedge side;
     double distance;
 };
 
-/// sides: those through which it may leave.
+/// Finds where a line in the plane of a face leaves it. sides: those through which it may leave.
 Exit exit_through(const Mesh& mesh, std::span<const Halfedge> sides, const Vector3d& from,
                   const Vector3d& along) {
     const Vector3d normal = triangle_normal(face_points(mesh, mesh.face(sides.front())));

@@ -11,17 +11,17 @@ namespace sherd {
 /// The words of a line of a text file, in order. Failures throw Error with file and line.
 class TextLine {
   public:
-    /// number: of the line, from 1. `file` and `text` must outlive the words.
+    /// number: number of the line, from 1. `file` and `text` must outlive the words.
     TextLine(const std::filesystem::path& file, std::size_t number, std::string_view text)
         : file(&file), number(number), rest(text) {}
 
     /// Returns the next word; empty at the end of the line.
     std::string_view next_word();
-    /// Reads a real number; it is infinite if it is too large for a double. Throws Error if there is none.
+    /// Reads a real number; infinite if it is too large for a double. Throws Error if there is none.
     double next_number();
     bool is_at_end() const;
-    std::size_t length() const { return rest.size(); }  ///< of what is behind the last word
-    /// Makes `end`, the end of the last word, a word of its own, which is the next one.
+    std::size_t length() const { return rest.size(); }  ///< bytes behind the last word
+    /// Makes `end`, the end of the last word, the next word.
     void put_back(std::string_view end);
     /// Throws Error with the message "file:line: `word` what".
     [[noreturn]] void fail(const std::string& what, std::string_view word) const;
@@ -52,7 +52,7 @@ class TextLines {
     /// Returns the next line that has a word before a `comment` sign, up to that sign; '\0': there are no
     /// comments.
     std::optional<TextLine> next_with_words(char comment = '\0');
-    std::size_t number() const { return count; }         ///< of the last line returned, from 1
+    std::size_t number() const { return count; }         ///< number of the last line returned, from 1
     std::string_view remaining() const { return rest; }  ///< text behind the last line returned
 
   private:
@@ -74,9 +74,9 @@ class TextWords {
     /// Reads a real number as TextLine::next_number() does.
     double next_number();
     bool is_at_end();
-    /// The line of the last word, with what stands behind that word.
+    /// Remainder of the last word's line, behind that word.
     TextLine& rest_of_line() { return line; }
-    std::size_t number() const { return lines.number(); }  ///< of that line, from 1
+    std::size_t number() const { return lines.number(); }  ///< number of that line, from 1
 
   private:
     TextLines lines;

@@ -31,7 +31,7 @@ FaceTexture texture_of(const FaceTexture& texture, const std::array<int, 3>& cor
 struct BoundaryEdge {
     std::int32_t from, to;
     std::size_t triangle;
-    int side;  ///< number of the corner `from` in it
+    int side;  ///< number of the corner `from` in the triangle
 };
 
 /// The boundary edges, in the order of their triangles.
@@ -119,7 +119,7 @@ struct Sides {
     }
 };
 
-/// Gives those points of one origin that are together a common offset direction.
+/// Gives points of the same origin that lie together a common offset direction.
 void align(std::vector<std::size_t> points, const Sides& before, Sides& sides) {
     while (points.size() > 1) {
         const std::size_t first = points.front();
@@ -133,7 +133,7 @@ void align(std::vector<std::size_t> points, const Sides& before, Sides& sides) {
     }
 }
 
-/// Moves back the points that touch another one.
+/// Moves points that touch another one of the same origin back from the crack.
 void part(std::span<const std::size_t> points, const Sides& before, Sides& sides) {
     for (const std::size_t i : points) {
         const bool touches =
@@ -167,7 +167,7 @@ TriangleSheet thickened(const TriangleSheet& sheet, std::span<const double> thic
     body.triangles = sheet.triangles;
     for (const auto& [a, b, c] : sheet.triangles)
         body.triangles.push_back({a + points, c + points, b + points});
-    // The triangle that each one comes from, and which of its corners are there.
+    // Source triangle of each triangle, and the numbers of its corners there.
     std::vector<std::pair<std::size_t, std::array<int, 3>>> source;
     for (const auto& corners : {std::array{0, 1, 2}, std::array{0, 2, 1}})
         for (std::size_t t = 0; t < sheet.triangles.size(); ++t) source.emplace_back(t, corners);

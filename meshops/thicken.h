@@ -10,8 +10,8 @@ namespace sherd {
 /// Thickens the sheet to a closed body, oriented outward: point i becomes i (on the side that the normals
 /// point to) and P + i (on the other), triangle t becomes t and, with opposite orientation, T + t, followed
 /// by two triangles for each boundary edge, in the order of triangles and of their sides. Each connected part
-/// becomes a body of its own. Triangles keep all that they have but axes; those at a boundary edge have what
-/// its triangle has there. They are shaded as a rim. thickness: [T] m.
+/// becomes a body of its own. Triangles keep their properties except axes and normals. Those along a boundary
+/// edge take the properties of its triangle there, and are shaded as a rim. thickness: [T] m.
 ///
 /// Points are offset along the normal weighted by angle, so far that the area-weighted mean of the distances
 /// from the triangles around the point is half the thickness (at a fold the offset is longer, up to twice):

@@ -7,7 +7,7 @@
 
 namespace sherd {
 
-/// A new element of a mesh, and its parents: the elements before the change whose data it inherits.
+/// An inserted element of a mesh, and its parents: the elements before the change whose data it inherits.
 template <class Element>
 struct Born {
     struct Parent {
@@ -15,7 +15,8 @@ struct Born {
         double weight;
     };
     Element element;
-    /// Their weights sum to 1. A copy has one parent; an edge that is created inside a face has none.
+    /// Parents, whose weights sum to 1. A copy has one parent; an edge that is created inside a face has
+    /// none.
     std::vector<Parent> parents;
 
     bool is_copy() const { return parents.size() == 1; }
@@ -23,7 +24,7 @@ struct Born {
     Element parent() const { return parents.front().element; }
 };
 
-/// `created` is a copy of `parent`.
+/// Returns `created` as a copy of `parent`.
 template <class Element>
 Born<Element> copy_of(Element parent, Element created) {
     return {created, {{parent, 1}}};
@@ -37,10 +38,10 @@ struct TopologyChange {
     struct OpenedEdge {
         Edge edge, created;
     };
-    /// A face, old or born, that covers another part of the sheet than before.
+    /// A face, old or inserted, whose part of the sheet has changed.
     struct Reshaped {
         Face face;
-        /// Old faces, each with the fraction of its area that has passed on to `face`, the largest part
+        /// Old faces, each with the fraction of its area that has passed on to `face`, the largest fraction
         /// first. The fractions of an old face in all reshaped faces sum to 1.
         std::vector<Born<Face>::Parent> shares;
     };

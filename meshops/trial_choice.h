@@ -9,21 +9,22 @@
 
 namespace sherd {
 
-/// A trial that gives a wanted vertex.
+/// A trial that makes the requested vertex.
 struct Candidate {
     std::unique_ptr<PatchTrial> trial;
-    Vertex vertex;  ///< of the trial
+    Vertex vertex;  ///< vertex of the trial
     AdvancedEdge::Way way;
-    double distance = 0;  ///< of the vertex along the ray, m
-    double angle = -1;    ///< the smallest of its changed faces, rad; -1 if one has turned over
+    double distance = 0;  ///< distance of the vertex along the ray, m
+    double angle = -1;    ///< smallest angle of the changed faces, rad; -1 if one has turned over
 };
 
-/// The vertex's faces as they come with nothing else changed.
+/// Candidate without any flips or moves of other vertices.
 Candidate plain_candidate(std::unique_ptr<PatchTrial> trial, Vertex vertex, AdvancedEdge::Way way,
                           double distance);
 
-/// Chooses by the angles that `options` asks for, in the order of AdvancedEdge::Way. snaps: the best one of
-/// each vertex, the preferred first; cuts: any. A candidate without a trial if none will do.
+/// Returns the first candidate, in the order of AdvancedEdge::Way, that keeps the angles of `options`. snaps:
+/// the best candidate of each vertex, preferred vertices first; cuts: in any order. Returns a candidate
+/// without a trial if none is acceptable.
 Candidate chosen(std::vector<Candidate> snaps, std::vector<Candidate> cuts, const AdvanceOptions& options);
 
 }  // namespace sherd

@@ -11,19 +11,19 @@
 
 namespace sherd {
 
-/// Triangles between file and Mesh. Each has three points; nothing else is guaranteed: any number of
-/// triangles may meet at an edge, in any orientation.
+/// Triangles of a file before they become a Mesh. Each has three points; nothing else is guaranteed: any
+/// number of triangles may meet at an edge, in any orientation.
 struct TriangleSoup {
     std::vector<Point> points;
     std::vector<std::uint32_t> file_vertex;  ///< number of each point in the file
     std::vector<std::array<std::uint32_t, 3>> triangles;
-    std::vector<FaceTexture> texture;  ///< of each triangle; empty if there is none
-    std::vector<std::size_t> polygon;  ///< of each triangle, the polygon of the file that it is part of
+    std::vector<FaceTexture> texture;  ///< texture coordinates of each triangle; empty if there are none
+    std::vector<std::size_t> polygon;  ///< polygon of the file that each triangle is part of
 };
 
 /// Cuts polygons into triangles; those of a polygon follow each other, and triangles stay as they are.
-/// Polygons of fewer than three corners have none. A polygon may go back along its sides, as to a hole and
-/// from it. Throws Error if it crosses or touches itself otherwise. Triangles without texture coordinates get
+/// Polygons of fewer than three corners have none. A polygon may run along a line twice, as to a hole and
+/// back. Throws Error if it crosses or touches itself otherwise. Triangles without texture coordinates get
 /// (0, 0) if others have some.
 TriangleSoup triangulate(const PolygonSoup& soup);
 

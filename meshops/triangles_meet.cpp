@@ -10,7 +10,7 @@ namespace {
 
 using TriangleCorners = std::array<Eigen::Vector3d, 3>;
 
-/// Whether there is a gap between their bounding boxes, as between most.
+/// Whether a gap separates the bounding boxes, as for most pairs.
 bool boxes_part(const TriangleCorners& a, const TriangleCorners& b) {
     const auto lower = [](const TriangleCorners& c) { return c[0].cwiseMin(c[1]).cwiseMin(c[2]).eval(); };
     const auto upper = [](const TriangleCorners& c) { return c[0].cwiseMax(c[1]).cwiseMax(c[2]).eval(); };

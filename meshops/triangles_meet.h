@@ -12,8 +12,8 @@ struct TrianglePair {
     int shared = 0;
 };
 
-/// Whether two triangles have more in common than their shared corners, by exact predicates. Those that share
-/// an edge do not count: they would have to lie on each other.
+/// Whether two triangles have more in common than their shared corners, by exact predicates. Returns false
+/// for triangles that share an edge: they would have to lie on each other.
 bool triangles_meet(const TrianglePair& pair);
 
 }  // namespace sherd

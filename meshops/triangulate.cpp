@@ -13,7 +13,7 @@
 namespace sherd {
 namespace {
 
-using Corners = std::array<std::size_t, 3>;  // of a triangle, as indices of the polygon's corners
+using Corners = std::array<std::size_t, 3>;  // a triangle's corners, as indices of the polygon's corners
 using Point2 = Kernel::Point_2;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Kernel>;
 using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel>;

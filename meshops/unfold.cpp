@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// The halfedge out of a vertex after which counterclockwise all its faces follow.
+/// The halfedge out of a vertex from which all faces at it follow counterclockwise.
 Halfedge first_outward(const Mesh& mesh, Vertex vertex) {
     for (const Halfedge in : mesh.halfedges_around_target(mesh.halfedge(vertex)))
         if (mesh.is_border(in)) return mesh.opposite(in);

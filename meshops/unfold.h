@@ -13,9 +13,9 @@ namespace sherd {
 struct UnfoldedFan {
     std::vector<Face> faces;              ///< counterclockwise
     std::vector<Vertex> ring;             ///< faces[i] has the corners vertex, ring[i], ring[i + 1]
-    std::vector<Eigen::Vector2d> places;  ///< of the ring, m
+    std::vector<Eigen::Vector2d> places;  ///< m, places of the ring's vertices
 };
-/// The ring of an inner vertex ends with its first vertex.
+/// Unfolds the faces around a vertex. The ring of an interior vertex ends with its first vertex.
 UnfoldedFan unfold_fan(const Mesh& mesh, Vertex vertex);
 
 /// The places of source, target and the two opposite corners of the faces at h, unfolded about it: the source

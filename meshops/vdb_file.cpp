@@ -34,13 +34,13 @@ openvdb::GridPtrVec read_grids(const std::filesystem::path& file) {
     }
 }
 
-/// OpenVDB believes lengths that it reads, and writes beyond its memory if a damaged file gives other ones.
-/// So a copy of this process reads the file first, which takes as long again, but no check from outside finds
-/// all of these.
+/// OpenVDB trusts the lengths in a file, and writes beyond its buffers if those of a damaged file are wrong.
+/// Checks from outside cannot find all such files, so a copy of this process reads the file first, which
+/// doubles the time.
 openvdb::GridPtrVec read_grids_safely(const std::filesystem::path& file) {
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(file, ignored))
-        return read_grids(file);  // a pipe is read only once
+        return read_grids(file);  // a pipe can only be read once
     // An empty node has 30 times as many bytes in memory as in a file; a core reads 100 MB/s, and a tenth of
     // it with sanitizers.
     const std::uint64_t size = std::filesystem::file_size(file, ignored);

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// How many parts of colours a PLY file has: opacity only where something is not opaque.
+/// Number of colour components in a PLY file: 4, with opacity, only if something is not opaque, otherwise 3.
 std::size_t colour_parts(const TriangleSheet& sheet) {
     const auto is_clear = [](const Colour& colour) { return colour[3] < 255; };
     return std::ranges::any_of(sheet.colour, is_clear) || std::ranges::any_of(sheet.point_colour, is_clear)
@@ -132,7 +132,7 @@ std::string lower_extension(const fs::path& file) {
     return extension;
 }
 
-/// Adds the values of `count` elements to those of `before` ones; `otherwise` is the value of either without
+/// Appends the values of `count` elements to those of `before` ones; `otherwise` fills in for either without
 /// any.
 template <class Value>
 void append_values(std::vector<Value>& all, const std::vector<Value>& values, std::size_t before,
@@ -147,7 +147,7 @@ void append_values(std::vector<Value>& all, const std::vector<Value>& values, st
 
 TriangleSheet triangle_sheet(const Mesh& mesh) {
     TriangleSheet sheet;
-    // A mesh with removed elements has gaps in its numbers, so they are counted anew.
+    // A mesh with removed elements has gaps in its numbers, so vertices are numbered again.
     std::vector<std::int32_t> number(mesh.num_vertices());
     for (const Vertex v : mesh.vertices()) {
         number[v.idx()] = static_cast<std::int32_t>(sheet.points.size());

@@ -13,8 +13,8 @@
 
 namespace sherd {
 
-/// How a triangle of a body is lit: smoothly over its sides and along a rim that was made, flat where it
-/// broke. Triangles of rims and breaks follow all others, in pairs that make quadrilaterals.
+/// Shading of a body's triangles: smooth over the two sides of a sheet and along its original rim, flat on
+/// crack faces. Triangles of the rim and of crack faces follow all others, in pairs that form quadrilaterals.
 enum class Shading : std::uint8_t { smooth, rim, broken };
 
 /// Triangles ready to be written, as exported from a recorded frame or a Mesh.
@@ -23,23 +23,24 @@ struct TriangleSheet {
     std::vector<std::array<std::int32_t, 3>> triangles;
     std::vector<std::int32_t> group;       ///< number of each triangle's group; empty: one group
     std::vector<std::string> group_names;  ///< name of each group
-    std::vector<GroupNames> named_groups;  ///< of each triangle, as in the file read (OBJ); empty: none
-    std::vector<Eigen::Vector3d> axis;     ///< of each triangle, first material axis (PLY); empty: none
-    std::vector<FaceTexture> texture;      ///< of each triangle; empty: none
-    std::vector<FaceMaterial> material;    ///< of each triangle (OBJ); empty: none
-    std::vector<double> quality;           ///< of each triangle, a scalar (PLY); empty: none
-    std::vector<Shading> shading;          ///< of each triangle; empty: all smooth
-    std::vector<std::array<Eigen::Vector3d, 3>> normal;  ///< of each triangle's corners (OBJ); empty: none
-    std::vector<Colour> colour;                          ///< of each triangle (PLY); empty: none
-    std::vector<Colour> point_colour;                    ///< of each point (PLY); empty: none
+    std::vector<GroupNames>
+        named_groups;  ///< names of each triangle's groups, from the file read (OBJ); empty: none
+    std::vector<Eigen::Vector3d> axis;   ///< first material axis of each triangle (PLY); empty: none
+    std::vector<FaceTexture> texture;    ///< texture coordinates of each triangle; empty: none
+    std::vector<FaceMaterial> material;  ///< material of each triangle (OBJ); empty: none
+    std::vector<double> quality;         ///< a scalar for each triangle (PLY); empty: none
+    std::vector<Shading> shading;        ///< shading of each triangle; empty: all smooth
+    std::vector<std::array<Eigen::Vector3d, 3>> normal;  ///< normals at triangle corners (OBJ); empty: none
+    std::vector<Colour> colour;                          ///< colour of each triangle (PLY); empty: none
+    std::vector<Colour> point_colour;                    ///< colour of each point (PLY); empty: none
 };
 
 TriangleSheet triangle_sheet(const Mesh& mesh);
 
-/// Adds a mesh to others, which have groups, as a group of its own. Its own groups are dropped, and how
-/// triangles are shaded; texture coordinates, normals, colours, materials and named groups come from all
-/// meshes that have some, spaces in these names as underscores: in OBJ a name of several words is an
-/// object's.
+/// Appends a mesh to others, which have groups, as a group of its own. The mesh's own numbered groups and the
+/// shading of all meshes are dropped; texture coordinates, normals, colours, materials and named groups come
+/// from all meshes that have some. Spaces in names of groups become underscores: in OBJ a name of several
+/// words belongs to an object.
 void add_group(TriangleSheet& all, const TriangleSheet& mesh, const std::string& name);
 
 /// Whether write_mesh() supports the file's extension: .obj, .ply or .off, in any case.

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """blender --python play_recording.py -- RUN.h5...
 
-Plays recordings of Sherd with the add-on beside it, which need not be installed for that. One that is installed and
-enabled, perhaps an older one, makes room for it until Blender ends."""
+Plays recordings of Sherd with the add-on in the folder of this script, which need not be installed. An add-on that is
+installed and enabled, perhaps an older version, is disabled until Blender ends."""
 
 import os
 import sys
@@ -11,7 +11,7 @@ import bpy
 
 
 def leave_installed():
-    """Takes the installed add-on out of Blender's menus and handlers, and out of Python's modules."""
+    """Removes the installed add-on from Blender's menus and handlers, and from Python's modules."""
     installed = sys.modules.get("sherd_recording")
     if installed is None:
         return
@@ -21,7 +21,7 @@ def leave_installed():
 
 
 def remove_startup_cube():
-    """Blender starts with a cube of 2 m, in which most recordings would be hidden; it goes unless a file was opened."""
+    """Removes Blender's initial cube of 2 m, in which most recordings would be hidden, unless a file was opened."""
     cube = bpy.data.objects.get("Cube")
     if not bpy.data.filepath and cube and cube.type == "MESH" and len(cube.data.vertices) == 8:
         mesh = cube.data

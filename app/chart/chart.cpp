@@ -17,7 +17,7 @@ namespace {
 
 constexpr double left_margin = 62, right_margin = 16, top_margin = 50, bottom_margin = 42;  // pixels
 
-/// How an axis shows numbers: [low, high] in its shown unit, over `length` pixels.
+/// Scale of an axis: [low, high] in its shown unit, from `begin` to `end`.
 struct Scale {
     UnitPrefix prefix;
     double low, high;
@@ -52,7 +52,7 @@ std::pair<double, double> extent(const Chart& chart, int coordinate, bool logari
     return {low, high};
 }
 
-/// The next of 1, 2, 5, 10, ... from `value` on.
+/// Smallest of 1, 2, 5, 10, ... that is not below `value`.
 double rounded_up(double value) {
     const double power = std::pow(10, std::floor(std::log10(value) + 1e-9));
     for (const double digit : {1.0, 2.0, 5.0})
@@ -77,7 +77,7 @@ Scale make_scale(const Chart& chart, int coordinate, double begin, double end) {
     if (high - low <= 1e-12 * std::max(std::abs(high), 1e-30)) high = low + std::max(1.0, std::abs(low));
     scale.ticks = round_ticks(low, high, 6, axis.whole);
     const double spacing = scale.ticks[1] - scale.ticks[0];
-    // Values run to a round number; time ends where it ends.
+    // The vertical axis ends at round numbers, the horizontal one with the points.
     scale.low = coordinate == 0 ? low : std::floor(low / spacing + 1e-9) * spacing;
     scale.high = coordinate == 0 ? high : std::ceil(high / spacing - 1e-9) * spacing;
     if (coordinate == 1) scale.ticks = round_ticks(scale.low, scale.high, 6, axis.whole);
@@ -121,7 +121,7 @@ std::string frame_svg(const Chart& chart, const Scale& x, const Scale& y) {
     return svg;
 }
 
-/// Whether the axes have a place for a point.
+/// Whether the axes can show a point.
 bool is_shown(const Vector2d& point, const Scale& x, const Scale& y) {
     return point.allFinite() && (!x.logarithmic || point.x() > 0) && (!y.logarithmic || point.y() > 0);
 }
@@ -167,7 +167,7 @@ std::string series_svg(const ChartSeries& series, const Scale& x, const Scale& y
             "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.8\" stroke-linejoin=\"round\"{}/>\n",
             series_path(series, x, y), series.colour, series.dashed ? " stroke-dasharray=\"5 3\"" : "");
     if (!series.dotted) return svg;
-    std::set<std::string> dots;  // those that look the same once
+    std::set<std::string> dots;  // without repetitions
     for (const Vector2d& point : series.points)
         if (is_shown(point, x, y))
             dots.insert(fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.6\" fill=\"{}\"{}/>\n",
@@ -220,7 +220,7 @@ std::string chart_svg(const Chart& chart, double left, double top, double width,
     std::string svg = "<g>\n" + frame_svg(chart, x, y);
     for (const ChartSeries& series : chart.series) svg += series_svg(series, x, y);
     svg += text(x.begin, top + 20, chart.title, "font-size=\"14\" font-weight=\"bold\" fill=\"#111\"");
-    // Of a single line the title says it all.
+    // A single line has no legend: the title suffices.
     if (chart.has_legend && chart.series.size() > 1) svg += legend_svg(chart.series, x.begin, top + 39);
     return svg + "</g>\n";
 }

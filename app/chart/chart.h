@@ -13,16 +13,16 @@ namespace sherd {
 struct ChartSeries {
     std::string name;
     std::string colour;            ///< as in SVG
-    std::vector<Vector2d> points;  ///< in order, in the axes' units; what is not finite is a gap
-    bool stepped = false;          ///< keeps its value until the next point
+    std::vector<Vector2d> points;  ///< in order, in the axes' units; a point that is not finite is a gap
+    bool stepped = false;          ///< whether it keeps its value until the next point
     bool dashed = false;
-    bool dotted = false;                   ///< with a dot at each point
-    bool joined = true;                    ///< by a line
-    bool faint = false;                    ///< behind what matters more
+    bool dotted = false;                   ///< whether there is a dot at each point
+    bool joined = true;                    ///< whether a line joins the points
+    bool faint = false;                    ///< whether dots are pale, behind more important ones
     std::vector<Vector2d> intervals = {};  ///< lower and upper end of a bar at each point; empty: none
 };
 
-/// One axis: `unit` is SI; the labels take a prefix that makes the numbers short.
+/// An axis: `unit` is SI; the labels take a prefix that makes the numbers short.
 struct ChartAxis {
     std::string name;
     std::string unit = {};  ///< empty: a plain number
@@ -35,16 +35,17 @@ struct Chart {
     std::string title;
     ChartAxis x, y;
     std::vector<ChartSeries> series;
-    bool has_legend = true;  ///< the names of several lines are above the chart
+    bool has_legend = true;  ///< whether the names of several lines are above the chart
 };
 
-/// Pixels that the name of a line takes above a chart that has several.
+/// Width of the name of a line in a legend, pixels.
 double legend_width(const std::string& name);
 
-/// The names of lines beside each other, from (left, y) on, in pixels.
+/// SVG of the names of lines beside each other, from (left, y) on, in pixels.
 std::string legend_svg(std::span<const ChartSeries> series, double left, double y);
 
-/// The points that a line `columns` pixels wide needs: of each column the first, the last and the extremes.
+/// Returns the points that a line `columns` pixels wide needs: the first, the last and the extremes of each
+/// column.
 std::vector<Vector2d> thinned(const std::vector<Vector2d>& points, int columns);
 
 /// An SVG group that shows the chart with its top left corner at (left, top), in pixels.

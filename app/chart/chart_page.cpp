@@ -10,7 +10,7 @@ namespace {
 
 constexpr double heading_height = 44, legend_left = 62, legend_height = 18;  // pixels
 
-/// The names in as many lines as they need; returns them with their height.
+/// SVG of the names in as many lines as necessary, and its height, pixels.
 std::pair<std::string, double> legend_lines(std::span<const ChartSeries> series, double width, double top) {
     std::string svg;
     double y = top;

@@ -7,11 +7,11 @@ namespace sherd {
 
 /// Charts beside and below each other.
 struct ChartPage {
-    std::string heading;  ///< above all
+    std::string heading;  ///< above all charts
     std::vector<Chart> charts = {};
     std::size_t columns = 2;
     double panel_width = 500, panel_height = 270;  ///< pixels
-    bool shares_legend = false;  ///< all charts have lines of the same names, which are shown once
+    bool shares_legend = false;  ///< whether all charts have lines of the same names, which are shown once
 };
 
 /// The page as an SVG file.

@@ -10,7 +10,7 @@ inline constexpr const char *blue = "#0072b2", *vermillion = "#d55e00", *green =
                             *purple = "#cc79a7", *yellow = "#f0e442", *orange = "#e69f00", *black = "#000000",
                             *sky = "#56b4e9";
 
-/// Of several lines, in this order.
+/// Colours of several lines, in this order.
 inline constexpr std::array series_colours{blue, vermillion, green, purple, orange, black};
 
 }  // namespace sherd

@@ -6,13 +6,14 @@
 
 namespace sherd {
 
-/// How a result depends on a length that was halved twice.
+/// Dependence of a result on a length that was halved twice.
 struct Convergence {
-    std::array<double, 3> values;  ///< with four times the length, with twice, with the length itself
-    /// p, if the differences fall like length^p: log2 of their ratio. None: they do not fall, or change sign.
+    std::array<double, 3> values;  ///< with four times the length, twice the length, and the length itself
+    /// p, if the differences decrease as length^p: log2 of their ratio. None if they do not decrease, or
+    /// change sign.
     std::optional<double> order;
-    /// The value for a length of zero by this order (Richardson's extrapolation), and by how much the last
-    /// value is off from it, as a part of it. Without an order there is neither.
+    /// Value for a length of zero by this order (Richardson's extrapolation), and the relative error of the
+    /// last value. None without an order.
     std::optional<double> limit, error;
 };
 

@@ -18,7 +18,7 @@
 namespace sherd {
 namespace {
 
-/// The largest of what one gauge has shown.
+/// Largest readings of a gauge.
 struct LargestReading {
     double displacement = 0;                    ///< m
     std::optional<double> stress = {};          ///< Pa, largest_stress()
@@ -37,7 +37,7 @@ struct LargestReading {
     }
 };
 
-/// The largest of what gauges and supports show.
+/// Largest readings of gauges, and largest forces of supports.
 class LargestReadings : public RunObserver {
   public:
     void stepped(const StepReport& report, const CrackEvents&) override {
@@ -59,7 +59,7 @@ void add_components(std::vector<Quantity>& all, const std::string& name, const s
             {fmt::format("{} {}, at the end", name, components[i]), unit, tensor[static_cast<Index>(i)]});
 }
 
-/// Adds what a gauge is to record.
+/// Adds the readings that a gauge records.
 void add_gauge(std::vector<Quantity>& all, const GaugeSpec& gauge, const GaugeReading& last,
                const LargestReading& largest) {
     const std::string& name = gauge.name;

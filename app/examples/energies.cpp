@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// energies SCENE.toml: runs a scene and prints what its energies are after each step.
+// energies SCENE.toml: runs a scene and prints its energies after each step.
 #include <cstdio>
 #include <string>
 #include <vector>

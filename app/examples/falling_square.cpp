@@ -10,13 +10,13 @@
 #include "meshops/triangle_mesh.h"
 
 int main() {
-    constexpr int cells = 12;  // along each side, of 0.2 m
+    constexpr int cells = 12;  // cells along each side, of 0.2 m
     std::vector<Eigen::Vector3d> positions;
     std::vector<std::array<std::int32_t, 3>> triangles;
     for (int i = 0; i <= cells; ++i)
         for (int j = 0; j <= cells; ++j) {
             const double x = 0.2 * i / cells, y = 0.2 * j / cells;
-            positions.emplace_back(0.5 * (x + y), 0.7 * (x - y), 0.002 + 0.5 * (x + y));  // m, it leans over
+            positions.emplace_back(0.5 * (x + y), 0.7 * (x - y), 0.002 + 0.5 * (x + y));  // m, inclined
             const int a = i * (cells + 1) + j, b = a + cells + 1;
             if (i == cells || j == cells) continue;
             triangles.push_back({a, b, b + 1});

@@ -13,7 +13,7 @@ int main(int count, char** arguments) try {
     if (recording.frame_count() == 0) throw sherd::Error("the recording has no frame yet");
     const sherd::Snapshot frame = recording.frame(recording.frame_count() - 1);
 
-    // A vertex is of one fragment only.
+    // A vertex belongs to a single fragment.
     std::map<sherd::Index, std::set<sherd::Index>> vertices;
     for (std::size_t f = 0; f < frame.faces.size(); ++f)
         vertices[frame.face_fragment[f]].insert(frame.faces[f].begin(), frame.faces[f].end());

@@ -12,8 +12,8 @@ namespace {
 struct BrokenSide {
     Index from, to;
     double length, thickness;  ///< m
-    std::size_t triangle;      ///< number of the first of its two in the body
-    double start = -1;         ///< m, u at `from`; below 0: not known yet
+    std::size_t triangle;      ///< index of the first of its two triangles in the body
+    double start = -1;         ///< m, u at `from`; below 0: unknown
 };
 
 std::vector<BrokenSide> broken_sides(const Snapshot& frame, std::span<const double> thickness) {
@@ -33,7 +33,7 @@ std::vector<BrokenSide> broken_sides(const Snapshot& frame, std::span<const doub
     return sides;
 }
 
-/// u begins where a crack does, or anywhere on one that is closed.
+/// Sets u at all sides. It begins at an end of a crack, or anywhere on a closed one.
 void set_starts(std::vector<BrokenSide>& sides) {
     std::map<Index, std::size_t> at;
     std::map<Index, int> ends;

@@ -8,10 +8,10 @@
 
 namespace sherd {
 
-/// Shades the sides along cracks of a solid flat. With materials it gives them one of their own, `inside`,
-/// and texture coordinates in m: u along the side at rest, on from face to face, and v through the thickness,
-/// from the lower side to the upper one. The rest has what it had, or no material. body: made by thickened()
-/// of the frame's faces; thickness: [F] m.
+/// Shades the sides of a solid along cracks flat. With materials, gives these sides their own material,
+/// `inside`, and texture coordinates in m: u along the side at rest, continuous from face to face, and v
+/// through the thickness, from the lower side to the upper one. Other triangles keep theirs, or have no
+/// material. body: result of thickened() for the frame's faces; thickness: [F] m.
 void finish_broken_sides(const Snapshot& frame, std::span<const double> thickness, bool with_materials,
                          TriangleSheet& body);
 

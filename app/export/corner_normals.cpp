@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double smooth_cosine = 0.87;  // of a side of the rim with the mean of both: 30 degrees
+constexpr double smooth_cosine = 0.87;  // between a side of the rim and the mean of both: 30 degrees
 
 Vector3d unit(const Vector3d& vector) {
     const double length = vector.norm();
@@ -41,7 +41,7 @@ class NormalsOfSheet {
     Shading shading(std::size_t t) const {
         return sheet.shading.empty() ? Shading::smooth : sheet.shading[t];
     }
-    /// The other triangle of a quadrilateral: they follow all others, in pairs.
+    /// Returns the other triangle of a quadrilateral: quadrilaterals follow all other triangles, in pairs.
     std::size_t partner(std::size_t t) const {
         const bool is_second = (sheet.triangles.size() - t) % 2 == 1;
         return is_second ? t - 1 : t + 1;
@@ -60,8 +60,8 @@ class NormalsOfSheet {
 
     std::span<const Vector3d> points;
     const TriangleSheet& sheet;
-    std::vector<Vector3d> side, rim;  ///< sums at points
-    std::vector<Vector3d> flat;       ///< of triangles, twice their area long
+    std::vector<Vector3d> side, rim;  ///< sums of normals at points
+    std::vector<Vector3d> flat;       ///< [T] normals, twice the area long
 };
 
 }  // namespace

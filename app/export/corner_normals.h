@@ -11,12 +11,13 @@ namespace sherd {
 
 using CornerNormals = std::vector<std::array<Eigen::Vector3d, 3>>;
 
-/// Unit normals at the corners of a sheet's triangles [T], as it is shaded: smooth over its sides, hard at
-/// their edges, smooth along a rim where this bends by less than some 30 degrees, and flat where it broke.
-/// points: where the points of the sheet are. A corner without area around it has z.
+/// Unit normals for shading at the corners of a sheet's triangles [T]: smooth over its sides, hard at their
+/// edges, smooth along a rim that bends by less than some 30 degrees, and flat on broken sides. points:
+/// positions of the sheet's points, m. A corner without area around it has z.
 CornerNormals corner_normals(std::span<const Eigen::Vector3d> points, const TriangleSheet& sheet);
 
-/// The same of an obstacle, whose edges are hard where it bends by more than some 30 degrees.
+/// Unit normals at the corners of an obstacle's triangles; edges are hard where it bends by more than some 30
+/// degrees.
 CornerNormals creased_normals(const TriangleSheet& obstacle);
 
 }  // namespace sherd

@@ -12,11 +12,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Makes the folder of the files when the output names one.
+/// Creates the folder of the files if the output names one.
 void prepare_folder(const ExportOptions& options, const fs::path& folder) {
     std::error_code reason, unreadable;
     if (folder.empty() || fs::is_directory(folder, unreadable)) return;
-    // Only the folder that was asked for: a missing one above it is more likely a mistake.
+    // A missing parent folder is not created: more likely it is a mistake.
     if (folder == (options.output / "file").parent_path()) fs::create_directory(folder, reason);
     if (!fs::is_directory(folder, unreadable))
         throw Error(fmt::format("cannot write to the folder '{}': {}; create it first", folder.string(),

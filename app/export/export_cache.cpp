@@ -17,10 +17,10 @@ namespace sherd {
 
 namespace {
 
-/// What a cache holds: the places of the same points at several moments.
+/// Content of a cache: positions of the same points at several moments.
 struct PointTrack {
-    TriangleSheet mesh;         ///< that the cache goes with, without its points
-    std::vector<double> times;  ///< s, of the samples, as they are shown
+    TriangleSheet mesh;                                        ///< mesh of the cache, without its points
+    std::vector<double> times;                                 ///< s, of the samples, as shown
     std::function<std::vector<Vector3d>(std::size_t)> points;  ///< [P] m, of a sample
 };
 
@@ -39,7 +39,7 @@ std::string mdd_bytes(const PointTrack& track) {
     return with_points(mdd_head(track.points(0).size(), track.times), track, mdd_order);
 }
 
-/// The mesh that the cache goes with, in the shape of the first sample.
+/// Returns the mesh of the cache, in the shape of the first sample.
 std::string mesh_of(const PointTrack& track, const std::filesystem::path& file) {
     TriangleSheet sheet = track.mesh;
     sheet.points = track.points(0);
@@ -53,7 +53,7 @@ struct CachePlan {
     std::string (*content)(const PointTrack& track);
     std::vector<ExportJob> jobs = {};
 
-    /// A mesh, and its cache unless it rests.
+    /// Adds a mesh, and its cache if it moves.
     void add(const PointTrack& track, const std::string& suffix, bool moves) {
         const std::filesystem::path mesh = source.clip_file(suffix + ".obj");
         if (has_material_file(track.mesh, mesh))
@@ -66,7 +66,7 @@ struct CachePlan {
     }
 };
 
-/// The last frame's topology.
+/// Track of the sheets, with the last frame's topology.
 PointTrack sheet_track(const std::shared_ptr<Clip>& clip, const std::vector<double>& times) {
     TriangleSheet mesh;
     mesh.triangles = clip->topology().triangles;

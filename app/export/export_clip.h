@@ -6,21 +6,20 @@
 
 namespace sherd {
 
-/// Holds moments of the run on the topology of the last of the chosen frames. Where a crack is still to come,
-/// the vertices that it will part are in the same place, that of the vertex they come from, and the parts of
-/// a face that it will split lie flat in that face.
+/// Moments of a run on the topology of the last chosen frame. Before a crack forms, the vertices that it will
+/// split coincide with their parent, and the parts of a face that it will split lie flat in that face.
 class Clip {
   public:
-    /// The moments are those of or between the chosen frames; the last one is that of the last frame.
+    /// moments: at or between the chosen frames; the last moment is the last frame.
     Clip(ExportSource& source, std::vector<Moment> moments);
 
     std::size_t size() const { return moments.size(); }
-    /// Returns the last frame, a solid when that is asked for; the groups are the fragments.
+    /// Returns the last frame, a solid if the options ask for it; groups are fragments.
     const TriangleSheet& topology() const { return last; }
     double time(std::size_t i) const { return moments[i].time; }  ///< s, of the i-th moment
-    /// Returns the places of the vertices of the last frame at the i-th moment: [V] m.
+    /// Returns the positions of the vertices of the last frame at the i-th moment: [V] m.
     std::vector<Vector3d> sheet_points(std::size_t i);
-    /// Returns the places of the points of topology() at the i-th moment: [P] m.
+    /// Returns the positions of the points of topology() at the i-th moment: [P] m.
     std::vector<Vector3d> points(std::size_t i);
 
   private:

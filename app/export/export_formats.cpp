@@ -58,7 +58,7 @@ void check_values(const ExportOptions& options) {
     check_slow_motion(options.slow);
 }
 
-/// An option that changes nothing is a mistake.
+/// Throws Error (input) on an option without effect, which is a mistake.
 void check_use(const ExportOptions& options, const ExportOptions& standard) {
     const auto require = [](bool holds, const char* option, const char* use) {
         if (!holds) throw Error(fmt::format("{} has a meaning {} only", option, use));

@@ -5,26 +5,26 @@
 
 namespace sherd {
 
-/// A kind of file that `sherd export` knows.
+/// A file format of `sherd export`.
 struct ExportFormat {
-    const char* name;       ///< of --to
-    const char* extension;  ///< of -o
-    bool all_frames;        ///< what it is made for: the whole run, or a single moment
-    bool fragments, solid;  ///< whether it knows these options
-    bool bodies;            ///< whether it always writes what --solid does
-    /// Says what is to be written, in this order. The jobs refer to the source.
+    const char* name;       ///< name in --to
+    const char* extension;  ///< extension in -o
+    bool all_frames;        ///< default selection: all frames, or the last
+    bool fragments, solid;  ///< whether it supports these options
+    bool bodies;            ///< whether it always writes solids
+    /// Returns the files to be written, in this order. The jobs refer to the source.
     std::vector<ExportJob> (*plan)(ExportSource& source);
 };
 
 /// Returns the format that the options name. Throws Error (input) on an unknown name, and on options that the
-/// format does not know.
+/// format does not support.
 const ExportFormat& export_format(const ExportOptions& options);
 std::string export_format_names();  ///< "obj, ply, ..."
 
-/// Makes the content of the file of a mesh, whose extension may say how.
+/// Returns the content of a mesh file, by its extension if a format has several.
 using MeshContent = std::string (*)(const TriangleSheet& sheet, const std::filesystem::path& file);
 
-/// Adds a file for each obstacle as it stands in a frame: NAME_000007_obstacle_ram.ply.
+/// Adds a file for each obstacle in a frame: NAME_000007_obstacle_ram.ply.
 void add_obstacle_files(ExportSource& source, std::size_t frame, const std::string& extension,
                         MeshContent content, std::vector<ExportJob>& jobs);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tables of the fragments, for who goes on with them in another engine.
+// Tables of the fragments, for use in another physics engine.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

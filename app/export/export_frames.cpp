@@ -13,7 +13,7 @@ namespace sherd {
 
 namespace {
 
-/// A selection of frames, with what a message about it needs.
+/// A selection of frames, and the data for messages on it.
 struct FrameWords {
     const std::string& text;
     std::int64_t count;
@@ -34,7 +34,7 @@ struct FrameWords {
         return value;
     }
 
-    /// From the end when negative.
+    /// Index of a frame; negative numbers count from the end.
     std::size_t frame(const std::string& word) const {
         const std::int64_t value = number(word), index = value < 0 ? value + count : value;
         if (index < 0 || index >= count)
@@ -43,7 +43,7 @@ struct FrameWords {
         return static_cast<std::size_t>(index);
     }
 
-    /// A bound of a range, cut off where the frames end.
+    /// Bound of a range, limited to the frames.
     std::int64_t bound(const std::string& word, std::int64_t otherwise) const {
         if (word.empty()) return otherwise;
         const std::int64_t value = number(word);

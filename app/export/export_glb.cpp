@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// glb: the fragments of the last frame as nodes, moved rigidly or by morph targets, and obstacles as others.
+// glb: the fragments of the last frame as nodes, moved rigidly or by morph targets, and obstacles as further
+// nodes.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +19,7 @@ namespace sherd {
 
 namespace {
 
-/// Colours of split points: of vertices, or else of faces.
+/// Colours of split points: those of vertices, or else of faces.
 std::vector<Colour> colours(const TriangleSheet& sheet, const SplitPoints& split) {
     if (!sheet.point_colour.empty()) return gathered(sheet.point_colour, split.points);
     std::vector<Colour> colours;
@@ -72,9 +73,9 @@ class Animation {
     Clip& clip;
     double slowdown;
     std::vector<TriangleSheet> parts;                ///< the fragments
-    std::vector<SplitPoints> split;                  ///< of each of them
-    std::vector<std::vector<std::size_t>> vertices;  ///< of each fragment
-    std::vector<std::vector<Vector3d>> local;        ///< their places about the fragment's centroid, m
+    std::vector<SplitPoints> split;                  ///< split points of each part
+    std::vector<std::vector<std::size_t>> vertices;  ///< vertices of each fragment
+    std::vector<std::vector<Vector3d>> local;  ///< m, positions of `vertices` about the fragment's centroid
 };
 
 GlbScene Animation::scene() {
@@ -113,13 +114,13 @@ void Animation::add_nodes(GlbScene& scene) {
     }
 }
 
-/// points: of the fragment.
+/// Returns the shape of a fragment with these points.
 GlbShape Animation::shape_of(std::size_t fragment, const std::vector<Vector3d>& points) const {
     return {gathered(points, split[fragment].points),
             at_points(split[fragment], corner_normals(points, parts[fragment]))};
 }
 
-/// Each node has the last frame's shape about its centroid.
+/// Gives each node the last frame's shape about its centroid.
 void Animation::add_bodies(GlbScene& scene) {
     const std::size_t last = clip.size() - 1;
     const std::vector<Vector3d> sheet_points = clip.sheet_points(last), points = clip.points(last);
@@ -154,7 +155,7 @@ void Animation::add_motions(GlbScene& scene) {
     warn_of_deviation(deviation);
 }
 
-/// deviation: m, of the recording from the rigid motions.
+/// Warns if the recording deviates visibly from rigid motions. deviation: m.
 void Animation::warn_of_deviation(double deviation) {
     const Positions all = matrix_of(clip.sheet_points(clip.size() - 1));
     const double size = (all.rowwise().maxCoeff() - all.rowwise().minCoeff()).norm();
@@ -175,8 +176,8 @@ void Animation::add_shapes(GlbScene& scene) {
     }
 }
 
-/// Each is a node about its middle, about which it turns between frames; one that deforms has a shape of
-/// each.
+/// Adds each obstacle as a node about its middle, about which it turns between frames; a deforming obstacle
+/// has a shape for each frame.
 void Animation::add_obstacles(GlbScene& scene) {
     const std::vector<ExportObstacle>& obstacles = source.obstacles();
     const std::size_t first = scene.nodes.size();

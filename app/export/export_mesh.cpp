@@ -14,7 +14,7 @@ std::string stl_content(const TriangleSheet& sheet, const std::filesystem::path&
     return stl_bytes(sheet);
 }
 
-/// A file for each frame, or for each fragment of each frame, and for each obstacle there.
+/// Plans a file for each frame, or for each fragment of each frame, and for each obstacle in it.
 std::vector<ExportJob> plan_files(ExportSource& source, const std::string& extension, MeshContent content) {
     std::vector<ExportJob> jobs;
     const auto add = [&](std::size_t number, const std::filesystem::path& file,
@@ -34,7 +34,7 @@ std::vector<ExportJob> plan_files(ExportSource& source, const std::string& exten
     return jobs;
 }
 
-/// The sheets as one object, or as one for each fragment, and each obstacle as another one.
+/// Returns the sheets as a single object, or as an object for each fragment, and each obstacle as an object.
 TriangleSheet obj_sheet(ExportSource& source, std::size_t number) {
     TriangleSheet all = source.sheet(number);
     all.quality.clear();
@@ -58,7 +58,7 @@ std::vector<ExportJob> plan_obj(ExportSource& source) {
     std::vector<ExportJob> jobs;
     for (const std::size_t number : source.frames()) {
         const std::filesystem::path file = source.frame_file(number, ".obj");
-        // The file of materials comes first: who waits for the .obj finds both.
+        // The file of materials comes first: a program that waits for the .obj finds both.
         if (source.has_materials())
             jobs.push_back({material_file(file), [&source, number, file] {
                                 return material_text(obj_sheet(source, number).material, file);

@@ -8,19 +8,19 @@
 
 namespace sherd {
 
-/// An obstacle or a free body, as it is exported.
+/// An obstacle or a free body to be exported.
 struct ExportObstacle {
-    std::string name;     ///< obstacle_ram: of files and objects; no other one has it
+    std::string name;     ///< unique name for files and objects, as obstacle_ram
     GridSurface surface;  ///< in its own frame
     bool plane = false;   ///< infinite; the surface is a square of it
-    bool moves = false;   ///< in the chosen frames; or it deforms
+    bool moves = false;   ///< whether it moves in the chosen frames, or deforms
     bool deforms = false;
 };
 
-/// Those of a recording, in its order. frames: that are chosen, at least one.
+/// Returns the obstacles of a recording, in its order. frames: the chosen ones, at least one.
 std::vector<ExportObstacle> export_obstacles(const Recording& recording, std::span<const std::size_t> frames);
 
-/// A surface where a pose puts it.
+/// Returns a surface moved by a pose.
 TriangleSheet placed(const GridSurface& surface, const Eigen::Isometry3d& pose);
 
 }  // namespace sherd

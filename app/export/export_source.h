@@ -11,35 +11,35 @@
 
 namespace sherd {
 
-/// A file that is to be written, and what makes its content or, where a library insists on it, writes it
-/// under the name that it gets at first.
+/// A file to be written: `content` returns its content, or, for a library that needs a path, `write` writes
+/// it under a temporary name.
 struct ExportJob {
     std::filesystem::path file;
     std::function<std::string()> content;
     std::function<void(const std::filesystem::path&)> write = nullptr;
 };
 
-/// The recording that is exported: the chosen frames, as surfaces, and the names of their files.
+/// Recording to be exported: the chosen frames as surfaces, and the names of their files.
 class ExportSource {
   public:
-    /// Opens the recording. `extension` is that of -o, and `all_frames` says what no selection means (else
-    /// the last). Throws Error (input) on a bad recording, selection of frames or output.
+    /// Opens the recording. extension: that of -o; all_frames: whether all frames are the default selection,
+    /// otherwise the last. Throws Error (input) on a bad recording, selection of frames or output.
     ExportSource(const ExportOptions& options, const std::string& extension, bool all_frames);
 
     const std::vector<std::size_t>& frames() const { return chosen; }  ///< ascending, at least one
     std::vector<double> times() const;                                 ///< s, of frames()
-    Pace pace() const;                                                 ///< how fast they are to be shown
-    /// Returns a frame, and keeps it until another one is asked for. Throws Error (run) when interrupted().
+    Pace pace() const;                                                 ///< speed at which frames() are shown
+    /// Returns a frame, and keeps it until another one is requested. Throws Error (run) when interrupted().
     const Snapshot& frame(std::size_t number);
-    /// Returns the thickness of each face of a frame, in m. Throws Error (input) when neither the recording
-    /// says it nor the options.
+    /// Returns the thickness of each face of a frame, m. Throws Error (input) if neither the recording nor
+    /// the options have one.
     std::vector<double> thickness(const Snapshot& frame) const;
 
-    /// Returns a frame as it is to be written, a solid when that is asked for, and adds a warning for each
-    /// fragment whose body intersects itself. The groups are the fragments. It is kept, too.
+    /// Returns a frame as it is to be written, a solid if the options ask for it, and adds a warning for each
+    /// fragment whose body is not closed or intersects itself. Groups are fragments. The result is kept, too.
     const TriangleSheet& sheet(std::size_t number);
 
-    /// Whether the sheets have materials: of their own, or as solids with texture coordinates those of
+    /// Whether the sheets have materials: their own, or, for solids with texture coordinates, that of
     /// broken_sides.h.
     bool has_materials() const { return with_materials; }
 
@@ -49,23 +49,23 @@ class ExportSource {
     /// Error (run) when interrupted().
     std::vector<Eigen::Isometry3d> poses(const Moment& moment) const;
     std::vector<Eigen::Isometry3d> poses(std::size_t frame) const;
-    /// Returns the points of those that deform.
+    /// Returns the points of obstacles that deform.
     ObstacleShapes shapes(std::size_t frame) const;
-    /// Returns one of obstacles() as it stands in a frame or between two.
+    /// Returns an obstacle in its place in a frame or between two.
     TriangleSheet obstacle(std::size_t i, std::size_t frame) const;
     TriangleSheet obstacle(std::size_t i, const Moment& moment) const;
-    /// Returns the end of the name of its files: "_obstacle_ram.ply".
+    /// Returns the end of the names of an obstacle's files: "_obstacle_ram.ply".
     std::string obstacle_suffix(std::size_t i, const std::string& extension) const;
 
-    /// Returns NAME, for what holds all frames.
+    /// Returns NAME, for a file of all frames.
     std::filesystem::path clip_file(const std::string& extension) const;
-    /// Returns NAME_000007, or NAME when only one frame is asked for by a file's name.
+    /// Returns NAME_000007, or NAME if a single frame is requested by a file's name.
     std::filesystem::path frame_file(std::size_t frame, const std::string& extension) const;
     std::filesystem::path numbered_file(std::size_t frame, const std::string& extension) const;
 
     const ExportOptions options;
-    std::vector<std::string> warnings;  ///< what the user should know at the end
-    std::string pace_words;             ///< how fast the run is shown; may be empty
+    std::vector<std::string> warnings;  ///< messages for the user at the end
+    std::string pace_words;             ///< speed at which the run is shown; may be empty
 
   private:
     void check_bodies(std::size_t number);

@@ -14,10 +14,11 @@ namespace sherd {
 
 namespace {
 
-/// Some gigabytes of memory.
+/// Largest number of voxels, some gigabytes of memory.
 constexpr double most_voxels = 3e8;
 
-/// m; throws Error (input) when the sheets would have holes or the grid be too large.
+/// Returns the size of voxels, m. Throws Error (input) if the sheets would have holes, or the grid would be
+/// too large.
 double voxel_size(ExportSource& source) {
     const Snapshot& first = source.frame(source.frames().front());
     const std::vector<double> thickness = source.thickness(first);
@@ -36,7 +37,7 @@ double voxel_size(ExportSource& source) {
     return voxel;
 }
 
-/// Of the diagonal of an obstacle that is large beside the sheets' voxels.
+/// Number of voxels along the diagonal of an obstacle that is large compared with the sheets' voxels.
 constexpr double voxels_along = 200;
 
 bool is_closed(const GridSurface& surface) {
@@ -45,7 +46,7 @@ bool is_closed(const GridSurface& surface) {
     return std::ranges::all_of(sides, [&](const auto& side) { return sides.contains({side[1], side[0]}); });
 }
 
-/// Whether an obstacle has an inside that a grid can hold; why not is a warning, but of planes.
+/// Whether an obstacle has an inside, and so a level set; adds a warning if it has none and is no plane.
 bool has_inside(ExportSource& source, const ExportObstacle& obstacle) {
     const bool closed = is_closed(obstacle.surface);
     if (!closed && !obstacle.plane)
@@ -54,7 +55,7 @@ bool has_inside(ExportSource& source, const ExportObstacle& obstacle) {
     return closed && !obstacle.plane;
 }
 
-/// Obstacles where a frame shows them. chosen: their numbers.
+/// Obstacles in their places in a frame. chosen: their indices.
 std::vector<LevelSetBody> bodies_in(const ExportSource& source, std::size_t frame,
                                     const std::vector<std::size_t>& chosen, double voxel) {
     std::vector<LevelSetBody> bodies;

@@ -34,8 +34,8 @@ std::vector<std::uint8_t> compressed(std::span<const std::uint8_t> block) {
     return result;
 }
 
-/// Numbers as VTK reads them between the tags of an array: in base64 the numbers and sizes of the compressed
-/// blocks, and in base64 anew these, one behind the other.
+/// Encodes numbers as VTK reads them between the tags of an array: in base64 the number and the sizes of the
+/// compressed blocks, and in base64 of their own these blocks, one behind the other.
 std::string encoded(std::span<const std::uint8_t> bytes) {
     const std::size_t blocks = (bytes.size() + block_bytes - 1) / block_bytes;
     std::vector<std::uint64_t> head{blocks, block_bytes, bytes.size() % block_bytes};
@@ -72,7 +72,7 @@ std::string colour_array(const std::vector<Colour>& colours) {
     return colours.empty() ? "" : array("UInt8", "colour", 4, colours[0].data(), 4 * colours.size());
 }
 
-/// sheet: of the frame.
+/// Arrays of the vertices at split points. sheet: of the frame.
 std::string vertex_arrays(const Snapshot& frame, const TriangleSheet& sheet, const SplitPoints& split) {
     const Positions velocity = chosen_columns(frame.velocity, split.points);
     const VectorXd speed = velocity.colwise().norm();
@@ -89,7 +89,7 @@ std::string vertex_arrays(const Snapshot& frame, const TriangleSheet& sheet, con
            point_array(chosen_columns(frame.position, split.points).data(), points);
 }
 
-/// A list of names in the file.
+/// Array of texts.
 std::string text_array(const char* name, const std::vector<std::string>& texts) {
     std::string letters;
     for (const std::string& text : texts) {
@@ -101,7 +101,7 @@ std::string text_array(const char* name, const std::vector<std::string>& texts) 
         name, texts.size(), letters);
 }
 
-/// Of which `material` and `group` of faces are rows.
+/// Lists of the names to which the face arrays `material` and `group` refer.
 std::string name_lists(const SurfaceLook& look) {
     std::string lists;
     std::vector<std::string> materials, groups;
@@ -113,7 +113,7 @@ std::string name_lists(const SurfaceLook& look) {
     return lists.empty() ? "" : "<FieldData>\n" + lists + "</FieldData>\n";
 }
 
-/// Each field, and its principal values, the larger ones first.
+/// Arrays of each field and of its principal values, the larger ones first.
 std::string field_arrays(const FaceFields& fields) {
     std::string text;
     visit_fields(
@@ -149,7 +149,7 @@ std::string triangles(const std::vector<std::array<Index, 3>>& faces) {
            array("Int64", "offsets", 1, ends.data(), ends.size()) + "</Polys>\n";
 }
 
-/// arrays: of points and faces; fields: of the whole.
+/// Text of a .vtp file. arrays: of points and faces; fields: of the whole mesh.
 std::string vtp_text(std::size_t points, const std::vector<std::array<Index, 3>>& faces,
                      const std::string& arrays, const std::string& fields = "") {
     return "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
@@ -162,13 +162,13 @@ std::string vtp_text(std::size_t points, const std::vector<std::array<Index, 3>>
            arrays + triangles(faces) + "</Piece>\n</PolyData>\n</VTKFile>\n";
 }
 
-/// One that rests has one file for all frames.
+/// File of an obstacle: the same for all frames if it does not move.
 fs::path obstacle_file(const ExportSource& source, std::size_t i, std::size_t frame) {
     const std::string suffix = source.obstacle_suffix(i, ".vtp");
     return source.obstacles()[i].moves ? source.numbered_file(frame, suffix) : source.clip_file(suffix);
 }
 
-/// Adds the files of the obstacles in a frame that no frame before has.
+/// Adds the files of the obstacles in a frame that no earlier frame has.
 void add_obstacles(ExportSource& source, std::size_t frame, std::vector<ExportJob>& jobs) {
     for (std::size_t i = 0; i < source.obstacles().size(); ++i)
         if (source.obstacles()[i].moves || frame == source.frames().front())
@@ -192,7 +192,7 @@ std::string index_of(const ExportSource& source) {
 
 std::string vtp_bytes(const Snapshot& frame) {
     TriangleSheet sheet = frame_sheet(frame);
-    sheet.colour.clear();  // faces have theirs, so that no point is split for them
+    sheet.colour.clear();  // colours are face arrays, so that no point is split for them
     const SplitPoints split = split_points(sheet);
     return vtp_text(split.points.size(), split.triangles,
                     vertex_arrays(frame, sheet, split) + face_arrays(frame), name_lists(frame.rest.look));

@@ -15,19 +15,19 @@ namespace sherd {
 /// and the principal values of these, and its vertices with `speed` and `velocity`, all in the frame's order.
 std::string vtp_bytes(const Snapshot& frame);
 
-/// Returns the content of such a file of triangles alone.
+/// Returns the content of a .vtp file of triangles alone.
 std::string vtp_bytes(const TriangleSheet& mesh);
 
-/// A file of a part of a frame and its time.
+/// File of a part of a frame, and its time.
 struct TimedFile {
     std::filesystem::path file;
     double time = 0;       ///< s
-    std::size_t part = 0;  ///< its number among those of one time
-    std::string name;      ///< of the part
+    std::size_t part = 0;  ///< number of the part among those of one time
+    std::string name;      ///< name of the part
 };
 
-/// Returns the content of a .pvd file that shows the files, in the same folder: those of one time together,
-/// one time after the other.
+/// Returns the content of a .pvd file that refers to files in the same folder: those of one time together,
+/// times in their order.
 std::string pvd_text(std::span<const TimedFile> files);
 
 }  // namespace sherd

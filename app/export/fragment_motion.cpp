@@ -10,9 +10,9 @@ namespace sherd {
 
 namespace {
 
-constexpr double no_inertia = 1e-12;  // of the largest principal moment
+constexpr double no_inertia = 1e-12;  // share of the largest principal moment that counts as zero
 
-/// One vertex in one fragment.
+/// Share of a vertex in a fragment.
 struct MassPoint {
     std::size_t fragment;
     Index vertex;
@@ -31,7 +31,7 @@ std::vector<MassPoint> mass_points(const Snapshot& frame) {
     return points;
 }
 
-/// The spin that gives an angular momentum.
+/// Spin of a body with an angular momentum.
 Vector3d spin_of(const Matrix3d& inertia, const Vector3d& momentum) {
     const Eigen::SelfAdjointEigenSolver<Matrix3d> principal(inertia);
     const Vector3d& moments = principal.eigenvalues();

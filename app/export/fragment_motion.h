@@ -7,19 +7,19 @@
 
 namespace sherd {
 
-/// A fragment as a rigid body: what moves with its momenta.
+/// A fragment as a rigid body with the same momenta.
 struct FragmentMotion {
     Index faces = 0;
     double mass = 0;                       ///< kg
-    Vector3d centre = Vector3d::Zero();    ///< m, of its mass
+    Vector3d centre = Vector3d::Zero();    ///< m, centre of mass
     Matrix3d inertia = Matrix3d::Zero();   ///< kg m^2, about the centre, along the axes of space
     Vector3d velocity = Vector3d::Zero();  ///< m/s, of the centre
-    Vector3d spin = Vector3d::Zero();      ///< rad/s, that has its angular momentum about the centre
+    Vector3d spin = Vector3d::Zero();      ///< rad/s, from the angular momentum about the centre
 };
 
-/// Returns the fragments of a frame in the order of their numbers, made of the masses of their vertices, as
-/// the run's momenta are: without the inertia of the thickness about the middle surface. A vertex of several
-/// fragments is shared among them by its faces. About an axis without inertia there is no spin.
+/// Returns the fragments of a frame in the order of their numbers. As in the run's momenta, masses are those
+/// of vertices: without the inertia of the thickness about the middle surface. A vertex of several fragments
+/// is shared among them by its faces. About an axis without inertia there is no spin.
 std::vector<FragmentMotion> fragment_motions(const Snapshot& frame);
 
 }  // namespace sherd

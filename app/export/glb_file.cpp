@@ -52,8 +52,8 @@ class Model {
     std::vector<unsigned char> data;
     int times = -1, weights = -1, grey = -1, white = -1;
     bool double_sided;
-    std::vector<std::pair<FaceMaterial, int>> materials;  ///< of surfaces, and their numbers
-    std::map<std::filesystem::path, int> pictures;        ///< numbers of their textures; -1: not there
+    std::vector<std::pair<FaceMaterial, int>> materials;  ///< materials of surfaces, and their indices
+    std::map<std::filesystem::path, int> pictures;        ///< indices of their textures; -1: unreadable
     std::vector<std::string>& warnings;
     std::size_t time_count;
 };
@@ -122,7 +122,7 @@ int Model::surface_material(const FaceMaterial& material) {
     return number;
 }
 
-/// The number of a texture.
+/// Returns the index of a picture's texture, or -1 with a warning.
 int Model::add_picture(const std::filesystem::path& file) {
     const auto [entry, is_new] = pictures.try_emplace(file, -1);
     if (!is_new) return entry->second;
@@ -143,7 +143,7 @@ int Model::add_picture(const std::filesystem::path& file) {
     return entry->second = static_cast<int>(model.textures.size()) - 1;
 }
 
-/// Views begin at multiples of four bytes.
+/// Adds a view, which begins at a multiple of four bytes.
 int Model::add_view(const void* values, std::size_t bytes, int target) {
     data.resize((data.size() + 3) / 4 * 4);
     tinygltf::BufferView view;
@@ -154,7 +154,7 @@ int Model::add_view(const void* values, std::size_t bytes, int target) {
     model.bufferViews.push_back(view);
     const auto* begin = static_cast<const unsigned char*>(values);
     data.insert(data.end(), begin, begin + bytes);
-    // The file's sizes have 32 bits, and many readers' have a sign.
+    // Sizes in the file have 32 bits, and many readers use signed ones.
     if (data.size() > std::numeric_limits<std::int32_t>::max())
         throw Error("a glb file holds 2 GB at most: choose fewer --frames, or --animate rigid");
     return static_cast<int>(model.bufferViews.size()) - 1;
@@ -177,7 +177,7 @@ int Model::add_rows(const Rows& rows, int type, bool bounds, int target) {
     const int accessor = add_accessor(values.data(), values.size() * sizeof(float), rows.size(),
                                       TINYGLTF_COMPONENT_TYPE_FLOAT, type, target);
     if (!bounds) return accessor;
-    // Of the rounded values: that is what a reader compares them with.
+    // Bounds of the rounded values, with which a reader compares them.
     const std::size_t width = rows.front().size();
     auto &lower = model.accessors.back().minValues, &upper = model.accessors.back().maxValues;
     lower.assign(values.begin(), values.begin() + static_cast<long>(width));
@@ -217,7 +217,7 @@ std::vector<Vector3d> differences(const std::vector<Vector3d>& to, const std::ve
     return result;
 }
 
-/// What all parts of a node's mesh have in common.
+/// Attributes and morph targets that all parts of a node's mesh share.
 tinygltf::Primitive Model::surface(const GlbNode& node) {
     tinygltf::Primitive primitive;
     primitive.mode = TINYGLTF_MODE_TRIANGLES;
@@ -233,7 +233,7 @@ tinygltf::Primitive Model::surface(const GlbNode& node) {
     return primitive;
 }
 
-/// Triangles by their materials, in the order in which these come first.
+/// Triangles by material, in the order in which materials first occur.
 std::vector<std::pair<int, std::vector<std::array<Index, 3>>>> Model::parts(const GlbNode& node) {
     std::vector<std::pair<int, std::vector<std::array<Index, 3>>>> result;
     for (std::size_t t = 0; t < node.triangles.size(); ++t) {
@@ -284,7 +284,7 @@ void Model::animate_motion(int number, const GlbNode& node) {
         translations.push_back({t.x(), t.y(), t.z()});
         Eigen::Quaterniond q(motion.linear());
         q.normalize();
-        // q and -q are the same rotation, but not half-way between two of them.
+        // q and -q are the same rotation, but interpolation between keys depends on the sign.
         if (q.dot(last) < 0) q.coeffs() *= -1;
         last = q;
         rotations.push_back({q.x(), q.y(), q.z(), q.w()});
@@ -296,7 +296,8 @@ void Model::animate_motion(int number, const GlbNode& node) {
     animate(number, "rotation", add_rows(rotations, TINYGLTF_TYPE_VEC4, false, 0));
 }
 
-/// At time i target i - 1 alone has its full weight; all nodes share the numbers.
+/// Adds the weights of morph targets: at time i, target i - 1 alone has its full weight. All nodes share the
+/// numbers.
 void Model::animate_shape(int number) {
     if (weights < 0) {
         Rows values;

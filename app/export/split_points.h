@@ -6,20 +6,20 @@
 
 namespace sherd {
 
-/// A sheet of which each point has one normal, pair of texture coordinates and colour, as glTF and graphics
-/// cards want it.
+/// A sheet each point of which has a single normal, pair of texture coordinates and colour, as glTF and
+/// graphics cards require.
 struct SplitPoints {
-    std::vector<std::size_t> points;                  ///< those of the sheet, one for each look that it has
-    std::vector<std::array<std::size_t, 2>> corners;  ///< of each, a triangle and corner that has it; if any
+    std::vector<std::size_t> points;                  ///< points of the sheet, repeated for each look
+    std::vector<std::array<std::size_t, 2>> corners;  ///< triangle and corner of each point, if any
     std::vector<std::array<std::int32_t, 3>> triangles;
 };
 
-/// Splits the points on seams of texture coordinates, where triangles have other colours, and where sides of
-/// a solid meet its edges. Points keep their order, and all copies of one follow the others, in the order of
-/// the triangles; a sheet without such places stays as it is.
+/// Splits the points on seams of texture coordinates, between triangles of different colours, and between
+/// sides of a solid and its edges. Points keep their order, and all copies follow them, in the order of the
+/// triangles; a sheet without such places is unchanged.
 SplitPoints split_points(const TriangleSheet& sheet);
 
-/// Values of corners [T] at split points.
+/// Gathers values of corners [T] at split points.
 template <class Value>
 std::vector<Value> at_points(const SplitPoints& split, const std::vector<std::array<Value, 3>>& of_corners) {
     std::vector<Value> values;

@@ -5,8 +5,8 @@
 
 namespace sherd {
 
-/// How many bytes deflate makes of one at most, those of zeros: PNG and HDF5 compress with it, and a file
-/// that promises more is damaged.
+/// Largest number of bytes that deflate compresses into one, reached for zeros. PNG and HDF5 use it: a file
+/// whose header claims more is damaged.
 inline constexpr std::uintmax_t most_of_a_deflated_byte = 1032;
 
 }  // namespace sherd

@@ -22,7 +22,7 @@ class Descriptor {
     operator int() const { return number; }
 
   private:
-    int number;  ///< negative: none
+    int number;  ///< negative: not open
 };
 
 }  // namespace sherd

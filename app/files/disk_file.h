@@ -17,18 +17,18 @@ class DiskFile {
     DiskFile(std::filesystem::path file, int flags);
 
     std::uint64_t size() const;
-    /// What lies behind the end reads as zero.
+    /// Bytes beyond the end read as zero.
     void read(std::uint64_t offset, std::span<std::byte> bytes) const;
     void write(std::uint64_t offset, std::span<const std::byte> bytes);
     void resize(std::uint64_t size);
-    /// Returns when all of it is on the disk.
+    /// Returns when the content is on the disk.
     void sync();
-    /// Whether its name still leads to it.
+    /// Whether the path still refers to this file.
     bool is_in_place() const;
 
-    /// Locks it as HDF5 does, for as long as it is open or until unlock(): shared by those who read,
-    /// exclusive for one who writes. False when others have it, also after `patience`; true where the file
-    /// system has no locks.
+    /// Locks the file as HDF5 does, until it is closed or unlock(): shared by readers, exclusive for a
+    /// writer. Returns false if others hold the lock, also after `patience`; true if the file system has no
+    /// locks.
     bool lock_shared(std::chrono::milliseconds patience = {}) const;
     bool lock_exclusive(std::chrono::milliseconds patience = {}) const;
     void unlock() const;
@@ -43,7 +43,7 @@ class DiskFile {
     Descriptor opened;
 };
 
-/// Returns when the names in the folder of a file are on the disk. Throws Error (run).
+/// Returns when the directory entries of the file's folder are on the disk. Throws Error (run).
 void sync_folder_of(const std::filesystem::path& file);
 
 }  // namespace sherd

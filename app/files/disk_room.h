@@ -6,11 +6,10 @@
 
 namespace sherd {
 
-/// Throws Error (run): there is no room for `bytes` more in a file (0: for more than it has), for the reason
-/// that an error number gives.
+/// Throws Error (run): a file cannot grow by `bytes` (0: by any amount), for the reason of an error number.
 [[noreturn]] void refuse_room(const std::filesystem::path& file, std::size_t bytes, int reason);
 
-/// Whether an error number says that the disk, a quota or a file size limit is exhausted.
+/// Whether an error number means that the disk, a quota or a file size limit is exhausted.
 bool disk_is_full(int reason);
 
 }  // namespace sherd

@@ -10,17 +10,17 @@
 
 namespace sherd {
 
-/// Parts of a file that begin at multiples of what a disk writes as a whole.
+/// Size of a block, bytes, which a disk writes as a whole. Blocks begin at multiples of it.
 constexpr std::size_t block_size = 512;
 using Block = std::array<std::byte, block_size>;
-/// By their number: that of block_size bytes before them.
+/// Blocks by number: offset in the file over block_size.
 using Blocks = std::map<std::uint64_t, Block>;
 
 inline std::uint64_t block_of(std::uint64_t offset) {
     return offset / block_size;
 }
 
-/// Calls visit(number of the block, offset in it, part of `bytes`) for each block that the bytes lie in.
+/// Calls visit(number of the block, offset in it, part of `bytes`) for each block that overlaps the bytes.
 template <class Byte, class Visit>
 void visit_blocks(std::uint64_t offset, std::span<Byte> bytes, Visit visit) {
     while (!bytes.empty()) {
@@ -32,7 +32,7 @@ void visit_blocks(std::uint64_t offset, std::span<Byte> bytes, Visit visit) {
     }
 }
 
-/// Puts the blocks over what was read of the file at `offset`.
+/// Overwrites bytes that were read from the file at `offset` with the blocks.
 inline void overlay(const Blocks& blocks, std::uint64_t offset, std::span<std::byte> bytes) {
     if (blocks.empty() || bytes.empty()) return;
     const auto last = blocks.upper_bound(block_of(offset + bytes.size() - 1));

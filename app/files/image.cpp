@@ -29,7 +29,7 @@ void keep_message(png_structp png, png_const_charp message) {
 
 void ignore_warning(png_structp, png_const_charp) {}
 
-/// libpng's two structures, for as long as a file is read.
+/// Owner of libpng's structures while a file is read.
 class PngReader {
   public:
     PngReader()
@@ -41,13 +41,14 @@ class PngReader {
     PngReader(const PngReader&) = delete;
     PngReader& operator=(const PngReader&) = delete;
 
-    /// False, with a message, when libpng gives up. It then jumps back to here, so nothing here may need a
+    /// Returns false, with a message, if libpng fails. It then jumps back to here, so nothing here may need a
     /// destructor.
     bool read(std::FILE* file) {
         if (setjmp(png_jmpbuf(png))) return false;
         png_init_io(png, file);
         png_set_user_limits(png, largest_image, largest_image);
-        // What is no pixel is skipped: libpng would believe each length that a damaged file has for it.
+        // Chunks other than those of pixels are skipped: libpng would trust any length that a damaged file
+        // claims.
         png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
         png_read_png(png, info,
                      PNG_TRANSFORM_EXPAND_16 | PNG_TRANSFORM_GRAY_TO_RGB | PNG_TRANSFORM_STRIP_ALPHA,
@@ -66,7 +67,7 @@ void append_bytes(png_structp png, png_bytep bytes, std::size_t count) {
 
 void flush_nothing(png_structp) {}
 
-/// libpng's two structures, for as long as an image is written.
+/// Owner of libpng's structures while an image is written.
 class PngWriter {
   public:
     PngWriter()
@@ -78,7 +79,7 @@ class PngWriter {
     PngWriter(const PngWriter&) = delete;
     PngWriter& operator=(const PngWriter&) = delete;
 
-    /// As PngReader::read. rows: of red, green and blue bytes.
+    /// Returns false as PngReader::read() does. rows: red, green and blue bytes.
     bool write(int width, int height, png_bytepp rows) {
         if (setjmp(png_jmpbuf(png))) return false;
         png_set_write_fn(png, &bytes, append_bytes, flush_nothing);
@@ -126,7 +127,8 @@ bool is_png(const PngHead& head) {
     return png_sig_cmp(head.data(), 0, 8) == 0;
 }
 
-/// Whether so few bytes can be an image of this size: libpng makes room for all rows before it reads one.
+/// Whether the file is too short for an image of this size: libpng allocates all rows before it reads the
+/// first.
 bool is_cut_off(const PngHead& head, std::uintmax_t bytes) {
     const std::uintmax_t width = png_get_uint_32(head.data() + 16),
                          height = png_get_uint_32(head.data() + 20);

@@ -19,7 +19,7 @@ struct Image {
     }
 };
 
-inline constexpr int largest_image = 16384;  ///< pixels to a side, that are read
+inline constexpr int largest_image = 16384;  ///< pixels per side that can be read
 
 /// Reads a PNG file of any kind: palettes are looked up, grey becomes three equal colours, transparency is
 /// dropped, 16 bits are kept and no gamma is applied. Throws Error naming the file when it is missing,
@@ -29,10 +29,11 @@ Image read_png(const std::filesystem::path& file);
 /// Reads a JPEG file; grey becomes three equal colours. Throws Error like read_png.
 Image read_jpeg(const std::filesystem::path& file);
 
-/// Reads a PNG or JPEG file, by what is in it.
+/// Reads a PNG or JPEG file, by its first bytes.
 Image read_picture(const std::filesystem::path& file);
 
-/// An image of half the width and half the height, rounded down but for 1: the means of four pixels.
+/// Returns an image of half the width and half the height, rounded down but at least 1: the means of four
+/// pixels.
 Image half_size(const Image& image);
 
 /// Red, green and blue of each pixel in turn, 0 to 255.

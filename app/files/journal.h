@@ -10,31 +10,30 @@
 
 namespace sherd {
 
-/// What makes the last committed state of a file out of whatever a power cut has left of it: where it ends,
-/// and blocks of it, which are replaced. It stands beside the file, as FILE.journal (app/README.md), and
-/// holds its own checksum.
+/// Journal of a file: its committed size, and blocks that replace those in it. With it the last committed
+/// state can be restored after a power cut. It is stored beside the file, as FILE.journal (app/README.md),
+/// with its own checksum.
 struct Journal {
-    std::uint64_t end = 0;  ///< bytes of the file
+    std::uint64_t end = 0;  ///< bytes, size of the file
     Blocks blocks;
 };
 
-/// Makes `journal` that of an open file, in place of the one before, if any: after a power cut there is
-/// either one or the other, and the new one once the folder is on the disk (sync_folder_of()). Before it the
-/// file itself must be (sync()). Throws Error (run); then it is still the one before.
+/// Replaces the journal of an open file: after a power cut either the old or the new one exists, and the new
+/// one once the folder is on the disk (sync_folder_of()). The file itself must be on the disk before
+/// (sync()). Throws Error (run); the old journal then remains.
 void replace_journal(const DiskFile& file, const Journal& journal);
-/// None when there is none, when it is incomplete, and when it is not of this file as it is: each of its
-/// blocks must be what it was when the journal was written, or what it becomes.
+/// Returns the journal of a file. None if it is missing or incomplete, or does not match the file, each block
+/// of which must be what it was when the journal was written, or what it becomes.
 std::optional<Journal> read_journal(const DiskFile& file);
 void remove_journal(const std::filesystem::path& file);
 bool has_journal(const std::filesystem::path& file);
 
-/// Puts the blocks into the file and cuts it off at its end.
+/// Writes the blocks into the file and truncates it to its committed size.
 void apply(const Journal& journal, DiskFile& file);
 
-/// Takes away what a writer that was killed has left: completes the file by its journal and removes that.
-/// Does nothing while another program writes or reads the file, where nothing can be written, or when there
-/// is no journal. Returns what has been done, for people; "" when the file was whole. The file can be read
-/// all the same: OverlaidFile.
+/// Repairs a file that a killed writer has left: applies its journal and removes that. Does nothing while
+/// another program writes or reads the file, if nothing can be written, or without a journal. Returns a
+/// description of the repair for users, or "". OverlaidFile reads files that have not been repaired, too.
 std::string mend(const std::filesystem::path& file);
 
 }  // namespace sherd

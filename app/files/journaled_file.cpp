@@ -15,7 +15,7 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-constexpr auto patience = 2s;  // with other writers; and with readers at the end
+constexpr auto patience = 2s;  // longest wait for other writers, and for readers at the end
 
 }  // namespace
 
@@ -39,7 +39,7 @@ JournaledFile::~JournaledFile() {
         disk.sync();
         remove_journal(disk.path());
     } catch (const Error&) {
-        return;  // the journal is left, for the next one who opens the file
+        return;  // the journal stays, for the next program that opens the file
     }
 }
 
@@ -84,7 +84,7 @@ void JournaledFile::resize(std::uint64_t size) {
     const std::uint64_t before = std::exchange(end, size);
     tail.resize(end - std::min(end, stored));
     if (const std::uint64_t old = std::min(end, stored); before < old)
-        write(before, std::vector<std::byte>(old - before));  // what had been cut off must not come back
+        write(before, std::vector<std::byte>(old - before));  // bytes that had been cut off must not reappear
 }
 
 void JournaledFile::commit() {
@@ -122,7 +122,7 @@ void JournaledFile::require_undisturbed() const {
 void JournaledFile::store() {
     Journal journal{.end = end, .blocks = waiting};
     for (const auto& [number, content] : changed) journal.blocks[number] = content;
-    // The block that the file has ended in is the journal's and the tail's.
+    // The last block of the file before the change is partly in the journal, partly in the tail.
     if (const auto last = journal.blocks.find(block_of(stored)); last != journal.blocks.end()) {
         const std::size_t inside = stored % block_size;
         std::copy_n(tail.begin(), std::min(tail.size(), block_size - inside),

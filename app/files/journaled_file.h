@@ -11,63 +11,63 @@
 
 namespace sherd {
 
-/// A file of which each change is there as a whole or not at all, whatever ends the program or the machine:
-/// what changes stays in memory until commit(). New bytes go behind the end of the file, where nobody looks
-/// for them yet; then the blocks that become others, and the new end, go into a journal beside it, which is
-/// what commits the change; then they go into the file itself.
+/// A file whose changes are stored as a whole or not at all, whatever ends the program or the machine.
+/// Changes stay in memory until commit(), which writes new bytes behind the end of the file, where no reader
+/// looks yet; then the changed blocks and the new end into a journal beside it, which commits the change;
+/// then these into the file itself.
 ///
-/// That last part waits for those who have the file open to read it, for `longest_wait` at most, and delays
-/// nobody meanwhile: OverlaidFile reads the journal, too. One object at a time may have the file, and who
-/// makes it holds its OutputLock.
+/// The last part waits for programs that have the file open for reading, for `longest_wait` at most. It
+/// delays none of them, since OverlaidFile reads the journal, too. Only one object at a time may have the
+/// file, and its owner must hold the file's OutputLock.
 class JournaledFile : public ByteFile {
   public:
-    /// Opens a file, and mends it first. Throws Error (run).
+    /// Opens a file, and repairs it first. Throws Error (run).
     explicit JournaledFile(std::filesystem::path file,
                            std::chrono::milliseconds longest_wait = std::chrono::seconds(10));
-    /// Forgets what has not been committed, and removes the journal if the file does not need it.
+    /// Discards uncommitted changes, and removes the journal if the file does not need it.
     ~JournaledFile() override;
     JournaledFile(const JournaledFile&) = delete;
     JournaledFile& operator=(const JournaledFile&) = delete;
 
     const std::filesystem::path& path() const { return disk.path(); }
 
-    /// Throws Error (run) when the file has been removed, replaced or changed by another program, or is being
-    /// written by one; and after an error of the disk.
+    /// Throws Error (run) if another program has removed, replaced or changed the file, or is writing it; and
+    /// after a disk error.
     void require_undisturbed() const;
 
-    // As changed until now, committed or not.
+    // Including uncommitted changes.
     std::uint64_t size() const override { return end; }
     void read(std::uint64_t offset, std::span<std::byte> bytes) const override;
     void write(std::uint64_t offset, std::span<const std::byte> bytes) override;
     void resize(std::uint64_t size) override;
 
-    /// Makes the changes since the last commit last. Throws Error (run) when it cannot be done, without room
-    /// for example, or when another program writes the file; then there are no changes since the last commit.
-    /// After an error of the disk all later ones fail, too.
+    /// Commits the changes since the last commit. Throws Error (run) if that fails, on a full disk for
+    /// example, or if another program writes the file; the changes are then discarded. After a disk error all
+    /// later commits fail, too.
     void commit();
-    /// Forgets what has been changed since the last commit.
+    /// Discards the changes since the last commit.
     void roll_back();
 
   private:
     Block block(std::uint64_t number) const;
     bool is_applied() const;
-    /// Puts the changes on the disk, behind the end and into the journal.
+    /// Writes the changes to the disk, behind the end and into the journal.
     void store();
     void apply_unless_read();
     void apply_now();
-    /// Where the action throws, what is on the disk is not known any more.
+    /// Calls the action; `failed` stays set if it throws.
     template <class Action>
     void or_fail(Action action);
 
     DiskFile disk;
     std::chrono::milliseconds longest_wait;
-    std::uint64_t stored = 0;     ///< bytes on the disk, which may be needed
-    std::uint64_t committed = 0;  ///< size, as committed
-    std::uint64_t end = 0;        ///< size
-    Blocks waiting;               ///< committed, not in the file yet
+    std::uint64_t stored = 0;     ///< bytes, size of the file on the disk
+    std::uint64_t committed = 0;  ///< bytes, committed size
+    std::uint64_t end = 0;        ///< bytes, size with uncommitted changes
+    Blocks waiting;               ///< committed, not yet in the file
     Blocks changed;               ///< not committed
-    std::vector<std::byte> tail;  ///< behind `stored`, not committed
-    bool failed = false;          ///< what is on the disk is not known any more
+    std::vector<std::byte> tail;  ///< not committed, to be written behind `stored`
+    bool failed = false;          ///< whether the content on the disk is unknown
     std::optional<std::chrono::steady_clock::time_point> waits_since;
 };
 

@@ -12,7 +12,7 @@
 #include <system_error>
 #include <vector>
 
-// Behind <cstdio>, which it needs and does not include.
+// jpeglib.h needs <cstdio>, and does not include it.
 #include <jpeglib.h>
 
 #include "app/files/image.h"
@@ -23,7 +23,7 @@ namespace {
 
 using FilePointer = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
-/// libjpeg's structure, for as long as a file is read.
+/// Owner of libjpeg's structure while a file is read.
 class JpegReader {
   public:
     JpegReader() {
@@ -41,8 +41,8 @@ class JpegReader {
     JpegReader(const JpegReader&) = delete;
     JpegReader& operator=(const JpegReader&) = delete;
 
-    /// These return false, with a message, when libjpeg gives up. It then jumps back to here, so nothing here
-    /// may need a destructor.
+    /// Both members return false, with a message, if libjpeg fails. It then jumps back to here, so nothing
+    /// here may need a destructor.
     bool read_head(std::FILE* file) {
         if (setjmp(before)) return false;
         jpeg_stdio_src(&jpeg, file);
@@ -65,7 +65,7 @@ class JpegReader {
     std::jmp_buf before;
 };
 
-/// libjpeg's structure, for as long as an image is written.
+/// Owner of libjpeg's structure while an image is written.
 class JpegWriter {
   public:
     JpegWriter() {
@@ -85,7 +85,7 @@ class JpegWriter {
     JpegWriter(const JpegWriter&) = delete;
     JpegWriter& operator=(const JpegWriter&) = delete;
 
-    /// As JpegReader::read_head. pixels: of red, green and blue bytes.
+    /// Returns false as JpegReader::read_head() does. pixels: red, green and blue bytes.
     bool write(int width, int height, JSAMPLE* pixels) {
         if (setjmp(before)) return false;
         jpeg_mem_dest(&jpeg, &bytes, &size);

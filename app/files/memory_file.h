@@ -9,7 +9,7 @@
 
 namespace sherd {
 
-/// A file that is nowhere but in memory.
+/// A file in memory.
 class MemoryFile : public ByteFile {
   public:
     std::uint64_t size() const override { return content.size(); }

@@ -24,19 +24,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t longest_command = 200;  // characters that are said of it
+constexpr std::size_t longest_command = 200;  // characters in the lock file
 constexpr const char* marker = "written by ";
 constexpr auto pause = std::chrono::milliseconds(10);
-constexpr int most_pauses = 100;  // for a program to say who it is, after it has taken the lock
+constexpr int most_pauses = 100;  // longest wait for the text of a program that has taken the lock
 
-/// What could not be shown, or would do something to a terminal, becomes a question mark.
+/// Replaces control characters, which a terminal would not show or would obey, by question marks.
 std::string printable(std::string text) {
     std::ranges::replace_if(
         text, [](unsigned char c) { return c < ' ' || c == 0x7f; }, '?');
     return text;
 }
 
-/// This program as it was called.
+/// Returns the command line of this program.
 std::string command_line() {
     std::string text = command_words();
     if (text.empty()) return "another program";
@@ -57,13 +57,13 @@ std::string introduction() {
                        host_name(), fmt::localtime(std::time(nullptr)));
 }
 
-/// A lock file, and whether it was not there before.
+/// A lock file, and whether it has just been created.
 struct LockFile {
     Descriptor descriptor;
     bool created;
 };
 
-/// None in the rare case that it was removed meanwhile.
+/// Opens or creates a lock file; without a descriptor in the rare case that it was removed meanwhile.
 LockFile open_lock_file(const fs::path& file, const fs::path& output) {
     constexpr int flags = O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK;
     Descriptor created(open(file.c_str(), O_RDWR | O_CREAT | O_EXCL | flags, 0666));
@@ -93,11 +93,11 @@ std::string text_of(const Descriptor& descriptor) {
 
 void write_introduction(const Descriptor& descriptor) {
     const std::string text = introduction();
-    // On a full disk the lock holds all the same, and others hear of another program.
+    // On a full disk the lock is held without a text, and others' messages name no program.
     if (pwrite(descriptor, text.data(), text.size(), 0) < 0) return;
 }
 
-/// Whether the name still leads to the open file: who had the lock before may have removed it.
+/// Whether the path still refers to the open file: the last owner of the lock may have removed it.
 bool is_at(const Descriptor& descriptor, const fs::path& file) {
     struct stat opened {
     }, named{};
@@ -120,7 +120,8 @@ Grip try_lock(const Descriptor& descriptor, const fs::path& file) {
                             output.string(), printable(who), advice));
 }
 
-/// Removes what a program that was killed has left.
+/// Removes the lock file of a program that was killed. Throws Error (input) if that fails, or if it is no
+/// lock file.
 void remove_stale(const fs::path& file, const std::string& text) {
     std::error_code reason;
     if (text.starts_with(marker)) fs::remove(file, reason);
@@ -143,7 +144,7 @@ OutputLock::~OutputLock() {
     if (held >= 0) fs::remove(file, ignored);
 }
 
-/// False when it is worth trying again.
+/// Returns false if another attempt may succeed.
 bool OutputLock::try_once() {
     LockFile lock = open_lock_file(file, target);
     if (lock.descriptor < 0) return false;

@@ -7,16 +7,16 @@
 
 namespace sherd {
 
-/// The right to write an output, which one program has at a time, from before it deletes or writes anything:
-/// a lock (flock) on the file `OUTPUT.lock` in the same folder, in which it says who it is. The kernel takes
-/// the lock back when the program ends, however it ends; a file that is left then blocks nobody. HDF5's own
-/// locks are on the recording itself and know nothing of this one.
+/// Exclusive lock of an output, which a program takes before it deletes or writes anything: a lock (flock) on
+/// the file `OUTPUT.lock` in the same folder, which names the program. The kernel releases the lock when the
+/// program ends, however it ends; a file that is left then blocks no other program. HDF5's own locks are on
+/// the recording itself, and independent of this one.
 ///
-/// Where a file system has no such locks the file alone is the lock.
+/// On a file system without such locks the existence of the file is the lock.
 class OutputLock {
   public:
-    /// Throws Error (input) when another program, or another lock of this one, has it, saying which; when the
-    /// folder cannot be written; and when `OUTPUT.lock` is there and is somebody's file.
+    /// Throws Error (input) if another program, or another lock of this one, holds the lock, and names it; if
+    /// the folder cannot be written; and if `OUTPUT.lock` exists and is no lock file.
     explicit OutputLock(std::filesystem::path output);
     OutputLock(OutputLock&&) = default;
     OutputLock& operator=(OutputLock&&) = delete;

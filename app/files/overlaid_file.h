@@ -8,9 +8,9 @@
 
 namespace sherd {
 
-/// The last committed state of a file that another program may be writing, or has left in the middle of a
-/// change: what is on the disk, with the journal over it. Stays that state as long as this lives, unless it
-/// lives for longer than a writer waits for its readers (JournaledFile).
+/// Last committed state of a file that another program may be writing, or has left in the middle of a change:
+/// the content on the disk, overlaid with the journal. The state does not change during the lifetime of this
+/// object, unless that is longer than a writer waits for readers (JournaledFile).
 class OverlaidFile : public ByteFile {
   public:
     /// Waits up to `patience` for a writer that has locked the file. Throws Error (run).
@@ -18,7 +18,7 @@ class OverlaidFile : public ByteFile {
 
     std::uint64_t size() const override;
     void read(std::uint64_t offset, std::span<std::byte> bytes) const override;
-    /// These two throw Error (run): it is only read.
+    /// Both members throw Error (run): the file is read-only.
     void write(std::uint64_t offset, std::span<const std::byte> bytes) override;
     void resize(std::uint64_t size) override;
 

@@ -73,7 +73,7 @@ void PendingFile::publish_durably() {
 
 void check_free(const std::filesystem::path& file, bool force,
                 const std::vector<std::filesystem::path>& read) {
-    std::error_code unreadable;  // which whoever creates it will be told of
+    std::error_code unreadable;  // reported when the file is created
     for (const std::filesystem::path& input : read)
         if (std::filesystem::equivalent(file, input, unreadable))
             throw Error(fmt::format("'{}' is read by this command and would be lost; name another file",

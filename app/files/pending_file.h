@@ -19,26 +19,26 @@ namespace sherd {
 /// removed if it never is.
 class PendingFile {
   public:
-    /// Creates it empty. The lock is that of the file and must outlive this. Throws Error of kind `fault`
-    /// when it cannot be created.
+    /// Creates an empty file. lock: that of the file, which must outlive this object. Throws Error of kind
+    /// `fault` if it cannot be created.
     PendingFile(const OutputLock& lock, Fault fault);
-    /// One file of an output of several, which as a whole is locked: the file gets its own lock, too. Throws
-    /// Error (input) when another program has that.
+    /// Creates one of several files of an output whose lock is `whole`; the file gets its own lock, too.
+    /// Throws Error (input) if another program holds that.
     PendingFile(std::filesystem::path target, Fault fault, const OutputLock& whole);
     ~PendingFile();
     PendingFile(const PendingFile&) = delete;
     PendingFile& operator=(const PendingFile&) = delete;
 
     const std::filesystem::path& path() const { return temporary; }
-    /// Each replaces what was written before, and throws Error (run) when the disk is full. size: in bytes,
-    /// for that message; 0: it is not known.
+    /// Replaces the content. Throws Error (run) if the disk is full. size: bytes, for that message; 0:
+    /// unknown.
     void write(const std::function<void(std::ostream&)>& fill, std::size_t size = 0);
     void write(std::initializer_list<std::string_view> parts);
     void write(const std::string& text) { write({std::string_view(text)}); }
-    /// Gives it its name. Throws Error (input) when that is taken and not `replace`.
+    /// Renames the file to its target. Throws Error (input) if that exists and `replace` is false.
     void publish(bool replace);
-    /// Does so, replacing what has the name, when all of it is on the disk: a power cut leaves one or the
-    /// other whole.
+    /// Replaces the target when the content is on the disk: a power cut leaves the old or the new file
+    /// complete.
     void publish_durably();
 
   private:
@@ -46,7 +46,7 @@ class PendingFile {
     std::optional<OutputLock> own;
 };
 
-/// Throws Error (input) when `file` exists and not `force`, when it is no ordinary file, and when it is in
+/// Throws Error (input) if `file` exists and `force` is false, if it is no ordinary file, or if it is in
 /// `read`, the files that the command reads: not even `force` may replace them.
 void check_free(const std::filesystem::path& file, bool force,
                 const std::vector<std::filesystem::path>& read = {});
@@ -56,7 +56,7 @@ void check_free(const std::filesystem::path& file, bool force,
 /// name, as in run_0.5.
 void require_kind(const std::filesystem::path& file, std::string_view extension, std::string_view advice);
 
-/// Makes a folder unless it is there; those above it must be there. Throws Error (input).
+/// Creates a folder unless it exists; its parent must exist. Throws Error (input).
 void make_folder(const std::filesystem::path& folder);
 
 }  // namespace sherd

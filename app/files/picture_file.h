@@ -8,10 +8,10 @@
 
 namespace sherd {
 
-/// A picture as a file has it, for files that pictures are put into.
+/// An encoded picture, to be embedded in another file.
 struct PictureFile {
     std::string bytes;
-    bool is_jpeg = false;  ///< else it is a PNG file
+    bool is_jpeg = false;  ///< otherwise PNG
 
     const char* media_type() const { return is_jpeg ? "image/jpeg" : "image/png"; }
 };
@@ -19,7 +19,7 @@ struct PictureFile {
 /// Throws Error naming the file if it cannot be read or is neither PNG nor JPEG by its first bytes.
 PictureFile read_picture_file(const std::filesystem::path& file);
 
-/// The image as a file of that kind.
+/// Encodes an image as JPEG or PNG.
 PictureFile picture_file(const Image& image, bool is_jpeg);
 
 }  // namespace sherd

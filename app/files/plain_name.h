@@ -6,8 +6,8 @@
 
 namespace sherd {
 
-/// A name in which all that a file's name or a line of an OBJ cannot have is `_`; bytes of UTF-8 stay. It
-/// gets a number if it is among the `used` ones, and is one of them afterwards.
+/// Returns a name without characters that a file name or a line of an OBJ file cannot have: they become `_`;
+/// bytes of UTF-8 stay. Appends a number if the name is among the `used` ones, and adds it to these.
 std::string plain_name(std::string name, std::set<std::string>& used);
 
 }  // namespace sherd

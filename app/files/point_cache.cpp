@@ -18,16 +18,16 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view pc2_name("POINTCACHE2\0", 12);
-constexpr std::size_t pc2_size = 32, mdd_size = 8, point_size = 12;  // bytes, of heads and of a point
+constexpr std::size_t pc2_size = 32, mdd_size = 8, point_size = 12;  // bytes, of headers and of a point
 
-/// What the head of a file says.
+/// Header of a file.
 struct Head {
     std::int32_t points = 0, samples = 0;
     std::vector<double> times;  ///< s, of the samples
     std::endian order = std::endian::native;
 };
 
-/// A file whose bytes are read one after the other.
+/// A file that is read sequentially.
 class CacheFile {
   public:
     explicit CacheFile(const fs::path& path) : path(path) {
@@ -45,7 +45,7 @@ class CacheFile {
         if (!stream) throw Error(path.string() + ": the point cache cannot be read to its end");
         return text;
     }
-    /// Throws unless the file has room for so many bytes.
+    /// Throws Error if the file has fewer bytes.
     void require(double least, std::string_view what) const {
         if (static_cast<double>(bytes) < least)
             throw Error(
@@ -67,7 +67,7 @@ class CacheFile {
     std::ifstream stream;
 };
 
-/// How many points there must be, and of what.
+/// Expected number of points, and the mesh that has them.
 struct Expected {
     std::size_t points;
     const fs::path& mesh;

@@ -7,27 +7,27 @@
 
 namespace sherd {
 
-/// A bundle's launcher (app/bundle) starts libexec/NAME, which is the loader, as this process; the code is in
-/// libexec/NAME.program.
+/// Files of a bundle. Its launcher (app/bundle) starts libexec/NAME, which is the loader, as this process;
+/// the code is in libexec/NAME.program.
 struct BundledProgram {
     std::filesystem::path code;
-    std::filesystem::path launcher;  ///< bin/NAME, which starts the program once more
+    std::filesystem::path launcher;  ///< bin/NAME, which starts the program again
 };
 
-/// Takes `running`, the file that this process is, for that of a bundle if the code lies beside it.
+/// Returns the bundle of `running`, the executable of this process, if the code is beside it; otherwise none.
 std::optional<BundledProgram> bundled_program(const std::filesystem::path& running);
 
-/// The file of this program's code, by whose checksum one build is told from another.
+/// Returns the file of this program's code, whose checksum identifies the build.
 std::filesystem::path program_file();
 
-/// Starts this program once more: in a bundle its launcher, else /proc/self/exe, which is there also when
-/// PATH has changed.
+/// Returns the file that starts this program again: in a bundle its launcher, otherwise /proc/self/exe, which
+/// is valid also when PATH has changed.
 std::filesystem::path program_to_start();
 
-/// The bundle's own Python; elsewhere `python3` on the PATH.
+/// Returns the bundle's own Python; without a bundle `python3`, from the PATH.
 std::string python_to_start();
 
-/// The words of this program's command line, each with a '\0' at its end, without the bundle's loader.
+/// Returns the words of this program's command line, each followed by '\0', without the bundle's loader.
 std::string command_words();
 
 }  // namespace sherd

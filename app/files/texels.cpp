@@ -6,7 +6,7 @@
 namespace sherd {
 namespace {
 
-/// The two texels beside a texture coordinate, and how near it is to the second.
+/// The two texels beside a texture coordinate, and the weight of the second.
 struct Neighbours {
     int low, high;
     double weight;

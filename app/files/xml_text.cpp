@@ -19,7 +19,7 @@ std::string xml_escaped(const std::string& text) {
         else if (c == '\t' || c == '\n' || c == '\r')
             result += "&#" + std::to_string(static_cast<int>(c)) + ";";  // else it would become a blank
         else if (static_cast<unsigned char>(c) < ' ')
-            result += '_';  // XML cannot have it
+            result += '_';  // excluded from XML
         else
             result += c;
     }

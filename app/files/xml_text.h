@@ -5,7 +5,7 @@
 
 namespace sherd {
 
-/// `text` as it is written between tags and quotes of XML; `_` for control characters that XML cannot have.
+/// Returns `text` escaped for XML; control characters that XML excludes become `_`.
 std::string xml_escaped(const std::string& text);
 
 }  // namespace sherd

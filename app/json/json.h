@@ -6,7 +6,7 @@
 
 namespace sherd {
 
-/// Keys stay in the order in which they were written.
+/// JSON with keys in the order of insertion.
 using Json = nlohmann::ordered_json;
 
 /// [x, y, z]

@@ -3,10 +3,10 @@
 
 namespace sherd {
 
-/// Exit codes of what a signal has ended are this and the signal, as shells have it.
+/// Exit code of a process that a signal has ended, less the number of the signal, as in shells.
 constexpr int signal_base = 128;
 
-/// The exit code of a process whose end has this status (waitpid).
+/// Returns the exit code of a process with this status (waitpid).
 int exit_code_of(int status);
 
 }  // namespace sherd

@@ -3,15 +3,14 @@
 
 namespace sherd {
 
-double machine_memory();   ///< bytes that the machine has
-double resident_memory();  ///< bytes that this program holds now
-double peak_memory();      ///< bytes, the most that it held since its start, or forget_peak_memory()
+double machine_memory();   ///< bytes, memory of the machine
+double resident_memory();  ///< bytes, memory of this program now
+double peak_memory();      ///< bytes, largest memory since its start, or since forget_peak_memory()
 
-/// Gives back what is free, and from now on peak_memory() is of what comes. Linux may not let a program do
-/// so.
+/// Returns free memory to the system, and resets peak_memory(). Linux may not allow this.
 void forget_peak_memory();
 
-/// Bytes a second that one thread reads from an array larger than any cache: the most of some rounds.
+/// Bytes per second that one thread reads from an array larger than any cache: the largest of several rounds.
 double memory_bandwidth();
 
 }  // namespace sherd

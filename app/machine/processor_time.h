@@ -8,11 +8,11 @@ namespace sherd {
 /// Processor time of this program so far, s, of all of its threads together.
 double processor_seconds();
 
-// The least of some rounds: of many short ones some are not disturbed by what else runs.
+// Smallest time of several rounds: of many short rounds some are not disturbed by other programs.
 
 /// Processor time, s.
 double least_seconds(int rounds, const std::function<void()>& work);
-/// The same of three rounds.
+/// Processor time of three rounds, s.
 inline double least_seconds(const std::function<void()>& work) {
     return least_seconds(3, work);
 }

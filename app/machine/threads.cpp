@@ -7,7 +7,7 @@
 namespace sherd {
 namespace {
 
-constexpr unsigned most_threads = 4;  // that pay
+constexpr unsigned most_threads = 4;  // more do not pay off
 
 }  // namespace
 

@@ -3,8 +3,8 @@
 
 namespace sherd {
 
-/// The threads of each of so many runs at a time: `most`, or, if that is 0, as many as the processor runs at
-/// once, shared among them, but no more than pay.
+/// Returns the number of threads of each of `runs` concurrent runs: `most`, or, if that is 0, an equal share
+/// of the processor's threads, of which all runs together use no more than pay off.
 int threads_of_run(int most, int runs);
 
 }  // namespace sherd

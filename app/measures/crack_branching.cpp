@@ -12,16 +12,16 @@
 namespace sherd {
 namespace {
 
-/// What leaves a vertex.
+/// Branches at a vertex.
 struct Arms {
     std::vector<Vector3d> chords;  ///< m
     bool are_clear = true;
 };
 
-/// Of each vertex of `cracks` that is a junction.
+/// Returns the branches at each vertex of `cracks` that is a junction.
 std::map<Index, Arms> arms_of(const CrackGraph& cracks, const RestMesh& rest) {
     std::map<Index, Arms> arms;
-    constexpr std::size_t most = 3;  // edges
+    constexpr std::size_t most = 3;  // edges of a chord
     for (const CrackBranch& branch : cracks.branches) {
         const auto& [vertices, edges] = branch;
         const std::size_t reach = std::min(edges.size(), most), last = edges.size();

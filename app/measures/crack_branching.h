@@ -9,21 +9,21 @@
 
 namespace sherd {
 
-/// Where three branches or more meet, not on the rim.
+/// A vertex at which three or more branches of cracks meet, not on the rim.
 struct CrackJunction {
     Vector3d position = Vector3d::Zero();  ///< m, at rest
-    std::size_t branches = 0;              ///< that end here
-    /// Degrees, between neighbours around it, which sum to 360: of each the direction of the chord over its
-    /// first three edges. Empty where a branch has no shape: it is not clear what forks there.
+    std::size_t branches = 0;              ///< number of branches that end here
+    /// Angles between neighbouring branches, degrees, which sum to 360; the direction of a branch is the
+    /// chord over its first three edges. Empty if a branch has no shape, so that its direction is unclear.
     std::vector<double> angles = {};
 
-    double smallest_angle() const;  ///< there must be angles
+    double smallest_angle() const;  ///< requires angles
 };
 
-/// By the number of their vertex at rest.
+/// Returns the junctions, in the order of their vertices at rest.
 std::vector<CrackJunction> crack_junctions(const CrackGraph& cracks, const RestMesh& rest);
 
-/// Degrees, mean of the smallest angles of those junctions that have angles.
+/// Mean of the smallest angles of the junctions that have angles, degrees.
 std::optional<double> branching_angle(std::span<const CrackJunction> junctions);
 
 }  // namespace sherd

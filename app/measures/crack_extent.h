@@ -5,10 +5,10 @@
 
 namespace sherd {
 
-/// What has broken by a frame, at rest.
+/// Extent of the cracks of a frame, at rest.
 struct CrackExtent {
-    double length = 0;  ///< m, of edges that failed, each once however many sides it has now
-    double area = 0;    ///< m^2, with the thickness of what they parted; 0 where that is not recorded
+    double length = 0;  ///< m, of failed edges, each once however many sides it has now
+    double area = 0;    ///< m^2, with the thickness of the adjacent faces; 0 if that is not recorded
 };
 
 CrackExtent crack_extent(const CrackGraph& cracks, const RestMesh& rest);

@@ -14,7 +14,7 @@ Ends ordered(Index a, Index b) {
     return a < b ? Ends{a, b} : Ends{b, a};
 }
 
-/// A face that has an edge at rest, and that edge as it is now.
+/// A face with an edge at rest, and the current vertices of that edge.
 struct Side {
     std::size_t face;
     Ends now;
@@ -86,7 +86,7 @@ class BranchWalk {
 
     const CrackGraph& cracks;
     std::vector<std::vector<std::size_t>> at;  ///< edges of each vertex
-    std::vector<char> walked;                  ///< of each edge
+    std::vector<char> walked;                  ///< whether each edge has been visited
     std::vector<CrackBranch> found;
 };
 

@@ -17,16 +17,16 @@ namespace {
 constexpr int ray_count = 16;
 constexpr double ray_spacing = 2 * std::numbers::pi / ray_count;
 
-/// A vertex at rest as seen from the point: along its normal.
+/// A vertex at rest relative to the point and its normal.
 struct Seen {
-    double distance = 0;           ///< m, straight
+    double distance = 0;           ///< m, straight, from the point
     double angle = 0, across = 0;  ///< rad about the normal, and m from it
 };
 
-/// The sheet of the point.
+/// Sheet of the point, with its cracked edges.
 struct SheetAbout {
-    std::vector<Seen> seen;         ///< [R]; of other sheets nothing
-    std::vector<char> is_of_sheet;  ///< [R]
+    std::vector<Seen> seen;         ///< [R]; zero for vertices of other sheets
+    std::vector<char> is_of_sheet;  ///< [R] whether each vertex is in the sheet
     std::vector<std::array<Index, 2>> edges;
     double mean_edge = 0, farthest = 0;  ///< m
     const std::vector<char>& on_rim;
@@ -59,7 +59,7 @@ SheetAbout sheet_about(const CrackGraph& cracks, const Snapshot& frame, const Ve
     return sheet;
 }
 
-/// role_of: of a vertex of the sheet.
+/// Counts disjoint paths. role_of: returns the role of a vertex of the sheet.
 template <class RoleOf>
 std::size_t count(const SheetAbout& sheet, RoleOf role_of) {
     std::vector<PathRole> roles(sheet.seen.size(), PathRole::none);
@@ -72,12 +72,12 @@ std::size_t radial_cracks(const SheetAbout& sheet, double radius) {
     const double half = std::min(sheet.mean_edge, radius / 2);
     return count(sheet, [&](std::size_t v) {
         const double beyond = sheet.seen[v].distance - radius;
-        if (std::abs(beyond) <= (sheet.on_rim[v] ? 0 : half)) return PathRole::between;  // it ends at a rim
+        if (std::abs(beyond) <= (sheet.on_rim[v] ? 0 : half)) return PathRole::between;  // paths end at rims
         return beyond < 0 ? PathRole::begin : PathRole::end;
     });
 }
 
-/// Of a vertex from a ray, -pi to pi.
+/// Angle of a vertex from a ray, -pi to pi.
 double turn(const Seen& seen, double angle) {
     return std::remainder(seen.angle - angle, 2 * std::numbers::pi);
 }

@@ -21,18 +21,19 @@ struct CracksAbout {
     };
 
     Vector3d point = Vector3d::Zero();  ///< m
-    std::vector<Circle> circles;        ///< by radius
-    std::vector<Ray> rays;              ///< on which there is a sheet beyond the smallest circle
+    std::vector<Circle> circles;        ///< ascending by radius
+    std::vector<Ray> rays;              ///< rays on which a sheet reaches beyond the smallest circle
 
     double radial() const;  ///< median over the circles
     double ring() const;    ///< median over the rays
 };
 
-/// Counts the cracks of the sheet that is nearest to `point`. Paths that share no edge count as so many, so
-/// that a zigzag along one line is one crack, and one along the circle or the ray is none. The band reaches a
-/// mean cracked edge to either side of the circle, the sector a quarter of the 22.5 degrees between rays, or
-/// as far as the band where that is more; it begins at the smallest circle. radii: m, positive; none: eighths
-/// of the distance from the point to the farthest vertex of its sheet, 1 to 7.
+/// Counts the cracks of the sheet that is nearest to `point`. Paths without a common edge are counted, so
+/// that a zigzag along one line is one crack, and a path along the circle or the ray is none. The band
+/// reaches the mean length of cracked edges to either side of the circle, the sector a quarter of the 22.5
+/// degrees between rays, or as far as the band if that is more; the sector begins at the smallest circle.
+/// radii: m, positive; empty: eighths of the distance from the point to the farthest vertex of its sheet, 1
+/// to 7.
 CracksAbout cracks_about(const CrackGraph& cracks, const Snapshot& frame, const Vector3d& point,
                          std::vector<double> radii = {});
 

@@ -9,7 +9,7 @@
 namespace sherd {
 namespace {
 
-/// Units of flow over edges that carry one.
+/// Flow over edges of capacity 1.
 class Flow {
   public:
     Flow(std::span<const std::array<Index, 2>> edges_, std::span<const PathRole> roles_)
@@ -19,9 +19,9 @@ class Flow {
                 for (const Index end : edges[e]) at[end].push_back(e);
     }
 
-    /// Whether there was a way for one unit more.
+    /// Adds a unit of flow; returns false if there is no path for it.
     bool augment() {
-        std::map<Index, std::optional<std::size_t>> reached;  // by which edge
+        std::map<Index, std::optional<std::size_t>> reached;  // edge by which each vertex was reached
         std::deque<Index> next;
         for (const auto& [vertex, incident] : at)
             if (role(vertex) == PathRole::begin) reached[vertex] = std::nullopt, next.push_back(vertex);
@@ -41,7 +41,7 @@ class Flow {
   private:
     PathRole role(Index vertex) const { return roles[static_cast<std::size_t>(vertex)]; }
     Index other(std::size_t e, Index end) const { return edges[e][0] == end ? edges[e][1] : edges[e][0]; }
-    /// The unit that goes over an edge away from one of its ends.
+    /// Sign of the flow over an edge away from one of its ends.
     int way(std::size_t e, Index from) const { return edges[e][0] == from ? 1 : -1; }
 
     bool has_use(const std::array<Index, 2>& edge) const {
@@ -59,7 +59,7 @@ class Flow {
 
     std::span<const std::array<Index, 2>> edges;
     std::span<const PathRole> roles;
-    std::vector<int> units;                        ///< of each edge: 1 from its first end to its second one
+    std::vector<int> units;  ///< for each edge: 1 from its first to its second end, -1 back, 0: none
     std::map<Index, std::vector<std::size_t>> at;  ///< edges of each vertex
 };
 

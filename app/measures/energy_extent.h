@@ -12,11 +12,11 @@ namespace sherd {
 struct EnergyExtent {
     std::string name;
     double last = 0;     ///< at the last step
-    double largest = 0;  ///< of all steps, in magnitude; signed
-    double time = 0;     ///< s, when that was
+    double largest = 0;  ///< largest magnitude of all steps, signed
+    double time = 0;     ///< s, time of the largest
 };
 
-/// Of all columns of energy; without the balance if there is none. Nothing without a step.
+/// Returns all energies of the steps, those of the balance only if there is one; empty without steps.
 std::vector<EnergyExtent> energy_extents(const std::vector<StepReport>& steps, bool has_balance);
 
 }  // namespace sherd

@@ -22,7 +22,8 @@ std::size_t number_of(const std::vector<RecordedObstacle>& obstacles, const std:
                             names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
 }
 
-/// s, end of the first step in which the obstacle bore a force; of a free body: in which there was a contact.
+/// End of the first step in which the obstacle had a contact force, s; for a free body: of the first step
+/// with any contact.
 double first_touch(const Recording& recording, const std::string& name) {
     const std::vector<RecordedSupport> supports = recording.header().supports;
     const auto support = std::ranges::find(supports, "obstacle." + name, &RecordedSupport::name);

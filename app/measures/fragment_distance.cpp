@@ -15,14 +15,14 @@
 namespace sherd {
 namespace {
 
-/// Calls take(fragment of `from`, fragment of `to`, share of the area of `from`) for its points; returns how
-/// far the farthest of them is away.
+/// Calls take(fragment of `from`, fragment of `to`, share of the area of `from`) for the points of `from`;
+/// returns the largest distance of a point from `to`, m.
 template <class Take>
 double overlay(const Snapshot& from, const Snapshot& to, Take take) {
     const NearestTriangle nearest(to.rest.position, to.rest.faces);
     const double area = std::accumulate(from.rest.area.begin(), from.rest.area.end(), 0.0);
-    // The points of the rule of degree 2 (Strang and Fix 1973), which lie inside a face, so that none of an
-    // equal mesh has two faces.
+    // Points of the rule of degree 2 (Strang and Fix 1973). They lie inside a face, so that in equal meshes
+    // the nearest face is unique.
     const Matrix3d weights = Matrix3d::Constant(1.0 / 6) + 0.5 * Matrix3d::Identity();
     double farthest = 0;
     for (std::size_t f = 0; f < from.faces.size(); ++f) {

@@ -8,24 +8,24 @@
 
 namespace sherd {
 
-/// How alike the fragments of two frames lie at rest.
+/// Difference between the fragments of two frames, at rest.
 struct FragmentDistance {
-    PartitionDistance partition;  ///< of the first frame against the second one
-    double gap = 0;               ///< m, farthest that a point of one sheet lies from the other's sheets
+    PartitionDistance partition;  ///< fragments of the first frame against those of the second
+    double gap = 0;               ///< m, largest distance of a point of one frame's sheets from the other's
 };
 
-/// Sheets are overlaid where they are at rest: each of three points of each face of either frame, which stand
-/// for its area, belongs to the face of the other frame that is nearest. So meshes may differ, and both
-/// frames count alike, each as a whole of 1.
+/// Overlays the sheets at rest: three points of each face of either frame represent its area, and each
+/// belongs to the nearest face of the other frame. So meshes may differ, and both frames have equal weight,
+/// with a total area of 1 each.
 FragmentDistance fragment_distance(const Snapshot& first, const Snapshot& second);
 
-/// Of the last frames. Throws Error (input) when a recording is damaged, or has no frame.
+/// Compares the last frames. Throws Error (input) if a recording is damaged, or has no frame.
 FragmentDistance fragment_distance(const Recording& first, const Recording& second);
 
-/// One JSON object; its keys are described in app/README.md.
+/// Returns a JSON object; its keys are described in app/README.md.
 std::string distance_json(const FragmentDistance& distance);
 
-/// The same for people to read.
+/// Returns a text for users.
 std::string distance_text(const FragmentDistance& distance);
 
 }  // namespace sherd

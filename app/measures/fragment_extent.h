@@ -7,15 +7,16 @@
 
 namespace sherd {
 
-/// How long and how wide a fragment is at rest: its extents along the principal axes of its area, m.
+/// Length and width of a fragment at rest: its extents along the principal axes of its area, m.
 struct FragmentExtent {
     double length = 0, width = 0;
 
     double aspect_ratio() const { return length / width; }
 };
 
-/// Of each fragment by its number; the axes are those of the second moments of its faces' area about its
-/// centre, so that neither depends on the mesh but for its outline. Of a curved one these are chords.
+/// Returns the extents of each fragment by its number. The axes are those of the second moments of its area
+/// about its centroid, so that extents depend on the mesh by its outline only. Extents of a curved fragment
+/// are chords.
 std::vector<FragmentExtent> fragment_extents(const Snapshot& frame);
 
 }  // namespace sherd

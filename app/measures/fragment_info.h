@@ -7,17 +7,17 @@
 
 namespace sherd {
 
-/// A connected piece in a frame.
+/// A fragment in a frame.
 struct FragmentInfo {
     Index id = 0;
-    Index parent = -1;  ///< the piece that it was a part of; -1: it was there from the beginning
+    Index parent = -1;  ///< fragment of which it was a part; -1: none, it is there from the start
     std::size_t faces = 0;
     double area = 0;  ///< m^2, at rest
     double mass = 0;  ///< kg
 };
 
-/// Those of a frame by id, those without a face included. The mass of a vertex goes to its faces as their
-/// rest areas. Of parents frames know nothing.
+/// Returns the fragments of a frame by id, including those without a face. The mass of a vertex is
+/// distributed to its faces by their rest areas. Parents are not set, since frames do not have them.
 std::vector<FragmentInfo> fragments_of(const Snapshot& frame);
 
 }  // namespace sherd

@@ -23,13 +23,13 @@ struct MeasuredFragment {
     FragmentExtent extent;
 };
 
-/// What broke first, and of several at once what was overloaded most.
+/// First failure of a run, and of several in the same stage the one with the largest overload.
 struct FirstFailure {
     double time = 0;                       ///< s
     double load = 0;                       ///< factor of all loads: 1, but in statics
     Vector3d position = Vector3d::Zero();  ///< m, middle of the edge at rest
-    double stress = 0;                     ///< Pa, that the edge bore at its surface
-    std::vector<double> forces = {};       ///< N, of each support at the end of the step before
+    double stress = 0;                     ///< Pa, surface stress at the edge
+    std::vector<double> forces = {};       ///< N, force on each support at the end of the step before
 };
 
 /// The largest reaction of a support or obstacle.
@@ -40,47 +40,47 @@ struct PeakForce {
     std::vector<double> history = {};  ///< [steps] N, magnitude
 };
 
-/// What a recorded run is compared by with others; app/README.md defines each. Of the last frame, but for
-/// what tells its own time.
+/// Measures of a recorded run; app/README.md defines each. They are those of the last frame, unless they have
+/// a time of their own.
 struct Measures {
-    double over = 0;                          ///< kg, of fragments that count
-    std::vector<MeasuredFragment> fragments;  ///< heavier than that, the heaviest first
-    std::size_t fragments_below = 0;          ///< the others
-    double mass_below = 0;                    ///< kg, of these
-    std::optional<PowerLaw> mass_law;         ///< of fragments by mass, above `over` or the lightest
+    double over = 0;                          ///< kg, largest mass of fragments that do not count
+    std::vector<MeasuredFragment> fragments;  ///< fragments heavier than `over`, the heaviest first
+    std::size_t fragments_below = 0;          ///< number of the other fragments
+    double mass_below = 0;                    ///< kg, of the other fragments
+    std::optional<PowerLaw> mass_law;         ///< law of the masses above `over`, or above the lightest
     CrackExtent cracks;
     std::optional<double> tortuosity;
     CrackDirections directions;
-    bool has_axis = false;  ///< whether they are against the axis of a material, or all against x
+    bool has_axis = false;  ///< whether directions are against an axis of the material; otherwise against x
     std::vector<CrackJunction> junctions;
-    std::optional<CracksAbout> about;     ///< none where there is no point to count about
+    std::optional<CracksAbout> about;     ///< none without a point to count about
     double lost_to_cracks = 0;            ///< J
     std::optional<TipSpeeds> tip_speeds;  ///< none in statics
     std::vector<EnergyExtent> energies;
-    std::vector<double> times;  ///< [steps] s, at their ends
+    std::vector<double> times;  ///< [steps] s, ends of the steps
     std::optional<FirstFailure> first_crack;
     std::vector<PeakForce> peak_forces;
 
-    /// J/m^2; none where no area has broken, or no thickness was recorded.
+    /// Energy lost per area of cracks, J/m^2; none without a broken area, or without recorded thickness.
     std::optional<double> energy_per_area() const;
 };
 
-/// Where radial and ring cracks are counted: about a point, or the first_contact() of an obstacle, or, with
-/// neither, about the first crack.
+/// Point about which radial and ring cracks are counted: `point`, or the first_contact() of an obstacle, or,
+/// with neither, the first crack.
 struct CrackCentre {
     std::optional<Vector3d> point = {};  ///< m, at rest
     std::string obstacle = {};
-    std::vector<double> radii = {};  ///< as of cracks_about()
+    std::vector<double> radii = {};  ///< m, see cracks_about()
 };
 
-/// over: kg. Throws Error (input) when the recording is damaged, or has no frame, and what first_contact()
-/// throws.
+/// Returns the measures of a recording. over: kg. Throws Error (input) if the recording is damaged, or has no
+/// frame, and what first_contact() throws.
 Measures measures_of(const Recording& recording, double over, const CrackCentre& centre = {});
 
-/// One JSON object; its keys are described in app/README.md.
+/// Returns a JSON object; its keys are described in app/README.md.
 std::string measures_json(const Measures& measures);
 
-/// The same for people to read. time_unit: RecordingHeader::time_unit.
+/// Returns a text for users. time_unit: RecordingHeader::time_unit.
 std::string measures_text(const Measures& measures, const std::string& time_unit);
 
 }  // namespace sherd

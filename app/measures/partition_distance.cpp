@@ -24,7 +24,8 @@ double entropy(const auto& shares) {
     return sum;
 }
 
-/// Pairs by what they have in common, the largest first, if neither fragment is in one before.
+/// Pairs of fragments with the largest common areas, in descending order; each fragment is in one pair at
+/// most.
 std::vector<PartitionMatch> matches_of(const PartitionOverlap& overlap, const Shares& first,
                                        const Shares& second) {
     std::vector<PartitionMatch> pairs, matches;

@@ -9,26 +9,27 @@
 
 namespace sherd {
 
-/// Share of the area that a fragment of one partition and one of another have in common, by their numbers.
+/// Share of the area that a fragment of the first and one of the second partition have in common, by their
+/// numbers.
 using PartitionOverlap = std::map<std::pair<Index, Index>, double>;
 
-/// Fragments of two partitions that belong together.
+/// A pair of matching fragments of two partitions.
 struct PartitionMatch {
     Index first = 0, second = 0;
-    double common = 0;      ///< share of the whole area that they have in common
-    double over_union = 0;  ///< that over the area that either has: 1 when they are the same
+    double common = 0;      ///< share of the whole area in both fragments
+    double over_union = 0;  ///< common area over that of the union: 1 for equal fragments
 };
 
-/// How alike two partitions of an area are; which numbers fragments have does not matter.
+/// Distance of two partitions of an area; the numbers of fragments do not matter.
 struct PartitionDistance {
-    /// Rand index: how probable it is that two points of the area, drawn at random, lie in one fragment in
-    /// both partitions, or in none. (Rand, Objective criteria for the evaluation of clustering methods,
-    /// 1971.)
+    /// Rand index: probability that two points of the area, drawn at random, lie in one fragment in both
+    /// partitions, or in different ones in both. (Rand, Objective criteria for the evaluation of clustering
+    /// methods, 1971.)
     double rand = 1;
-    /// That less what fragments of these sizes have by chance, over what is left: 1 only of equal ones, 0 by
-    /// chance. (Hubert and Arabie, Comparing partitions, 1985, in the limit of many points.)
+    /// Rand index corrected for chance: 1 only for equal partitions, 0 for fragments of these sizes at
+    /// random. (Hubert and Arabie, Comparing partitions, 1985, in the limit of many points.)
     double adjusted_rand = 1;
-    /// Variation of information, nats: 0 only of equal ones. (Meila, Comparing clusterings, 2007.)
+    /// Variation of information, nats: 0 only for equal partitions. (Meila, Comparing clusterings, 2007.)
     double variation = 0;
     std::vector<PartitionMatch> matches;  ///< largest first; each fragment is in one at most
 

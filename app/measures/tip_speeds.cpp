@@ -21,13 +21,13 @@ NewCrack at_rest(const EdgeFailure& failure, const Snapshot& frame) {
     return {{a, b}, (frame.rest.position.col(a) - frame.rest.position.col(b)).norm()};
 }
 
-/// What hangs together of a step's new cracks.
+/// A connected set of a step's new cracks.
 struct Growth {
     double length = 0;  ///< m
     std::size_t tips = 0;
 };
 
-/// old: vertices where a tip cannot be, of earlier cracks and rims.
+/// Returns the connected sets of cracks. old: vertices of earlier cracks and rims, which are no tips.
 std::vector<Growth> growths(const std::vector<NewCrack>& cracks, const std::set<Index>& old) {
     std::map<Index, std::vector<std::size_t>> at;
     DisjointSets together(cracks.size());
@@ -49,11 +49,11 @@ std::vector<Growth> growths(const std::vector<NewCrack>& cracks, const std::set<
 void add_growth(TipStep& step, const Growth& growth) {
     step.tips += growth.tips;
     const double speed = growth.length / (static_cast<double>(growth.tips) * step.step_size);
-    step.speed += growth.length / step.step_size;  // a sum so far
+    step.speed += growth.length / step.step_size;  // sum over the tips, divided at the end
     step.fastest = std::max(step.fastest, speed);
 }
 
-/// The speeds that records have, instead of those by length.
+/// Replaces the speeds from lengths by the recorded ones.
 void take_records(std::map<std::int64_t, TipStep>& steps, const std::vector<TipRecord>& records) {
     for (auto& [number, step] : steps) step.tips = 0, step.speed = step.fastest = 0;
     for (const TipRecord& record : records) {

@@ -7,29 +7,29 @@
 
 namespace sherd {
 
-/// How far cracks went in a step, and how fast.
+/// Growth of cracks in a step, and its speed.
 struct TipStep {
     double time = 0;       ///< s, end of the step
     double step_size = 0;  ///< s
-    double length = 0;     ///< m, of the edges that failed in it, at rest
+    double length = 0;     ///< m, of the edges that failed in the step, at rest
     std::size_t tips = 0;
     double speed = 0;    ///< m/s, mean of the tips
-    double fastest = 0;  ///< m/s
+    double fastest = 0;  ///< m/s, largest of the tips
 };
 
-/// Steps in which a tip went on. Cracks by toughness have records of their tips: these that have a speed
-/// count. Without any records, what failed in a step and hangs together has grown at its ends that lie
-/// neither on an earlier crack nor on the rim, or at one end, if all do: each of these tips has its share of
-/// the length over the step.
+/// Steps in which a tip advanced. Cracks by toughness have records of their tips, of which those with a speed
+/// count. Without any records, each connected set of edges that failed in a step has a tip at each of its
+/// ends that lies neither on an earlier crack nor on the rim, or a single tip if there is no such end; each
+/// tip advanced by an equal share of the set's length in the step.
 struct TipSpeeds {
     std::vector<TipStep> steps;
-    bool recorded = false;  ///< whether the tips are those of records
+    bool recorded = false;  ///< whether the tips are recorded
 
-    double mean() const;      ///< m/s, over tips and the time for which each went on; 0 without steps
+    double mean() const;      ///< m/s, mean over tips and the duration of their steps; 0 without steps
     TipStep fastest() const;  ///< the step with the fastest tip, the first of several; zero without steps
 };
 
-/// frame: the last one. on_rim: [R] of its vertices at rest.
+/// frame: the last one. on_rim: [R] for its vertices at rest.
 TipSpeeds tip_speeds(const CrackEvents& events, const std::vector<StepReport>& steps, const Snapshot& frame,
                      const std::vector<char>& on_rim);
 

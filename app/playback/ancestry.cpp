@@ -16,7 +16,7 @@
 namespace sherd {
 namespace {
 
-/// Finds where the mesh of the later frame was in the earlier one, by places at rest.
+/// Finds the places of the later frame's mesh in the earlier one, by positions at rest.
 class Parts {
   public:
     Parts(const Snapshot& earlier, const Snapshot& later);
@@ -25,20 +25,21 @@ class Parts {
         return face < earlier.faces.size() && earlier.rest.faces[face] == later.rest.faces[face] &&
                std::ranges::all_of(later.rest.faces[face], [this](Index v) { return stays(v); });
     }
-    /// The earlier face that a later one is a part of, or has most of. Throws Error when there is none.
+    /// Returns the earlier face in which the centroid of a later one lies, or comes nearest to lying. Throws
+    /// Error if there is none.
     Index whole_of(std::size_t face);
-    /// The earlier vertex that a corner of a later face was, which is a part of `whole`; -1: it is not the
-    /// same one, or not known which side of a crack it was on.
+    /// Returns the earlier vertex that a corner of a later face was; `whole` is the earlier face of that.
+    /// Returns -1 if the vertex was inserted or has moved, or if its side of a crack is unknown.
     Index same_vertex(std::size_t face, int corner, Index whole) const;
-    /// The earlier face around `whole` in which a corner of a later one lies, and its barycentric
+    /// Returns the earlier face around `whole` in which a corner of a later one lies, and its barycentric
     /// coordinates.
     std::pair<Index, Vector3d> place(std::size_t face, int corner, Index whole) const;
 
   private:
     using Part =
-        std::pair<Index, Index>;  ///< a face of the unbroken mesh, and one of the earlier frame in it
+        std::pair<Index, Index>;  ///< a face of the unfractured mesh, and a face of the earlier frame in it
 
-    /// Whether a vertex at rest is one of the earlier frame, too, at the same place.
+    /// Whether a vertex at rest is also in the earlier frame, at the same place.
     bool stays(Index vertex) const {
         return vertex < earlier.rest.position.cols() &&
                earlier.rest.position.col(vertex) == later.rest.position.col(vertex);
@@ -53,8 +54,8 @@ class Parts {
 
     const Snapshot &earlier, &later;
     std::vector<Part> parts;                       ///< ascending
-    std::vector<std::vector<Index>> of_vertex;     ///< [R] vertices of the earlier frame
-    std::vector<std::vector<Index>> faces_around;  ///< [R] of the earlier frame
+    std::vector<std::vector<Index>> of_vertex;     ///< [R] earlier vertices at each vertex at rest
+    std::vector<std::vector<Index>> faces_around;  ///< [R] earlier faces around each vertex at rest
 };
 
 Parts::Parts(const Snapshot& earlier, const Snapshot& later)
@@ -71,7 +72,7 @@ Parts::Parts(const Snapshot& earlier, const Snapshot& later)
     std::ranges::sort(parts);
 }
 
-/// Barycentric, in the plane of an earlier face at rest, m.
+/// Returns the barycentric coordinates of a point (m), projected into the plane of an earlier face at rest.
 Vector3d Parts::coordinates(Index face, const Vector3d& point) const {
     const TrianglePositions x = columns(earlier.rest.position, earlier.rest.faces[face]);
     const Vector3d a = x.col(1) - x.col(0), b = x.col(2) - x.col(0), way = point - x.col(0),
@@ -81,7 +82,7 @@ Vector3d Parts::coordinates(Index face, const Vector3d& point) const {
     return {1 - second - third, second, third};
 }
 
-/// The earlier faces in some unbroken ones.
+/// Returns the earlier faces in some faces of the unfractured mesh.
 std::vector<Index> Parts::parts_of(const std::set<Index>& unbroken) const {
     std::vector<Index> found;
     for (const Index face : unbroken)
@@ -91,8 +92,9 @@ std::vector<Index> Parts::parts_of(const std::set<Index>& unbroken) const {
     return found;
 }
 
-/// The earlier faces in the unbroken ones around an unbroken face, as far around as there are any: where
-/// cracks have moved vertices, the faces that have parts of it may all have more of its neighbours.
+/// Returns the earlier faces in the rings around a face of the unfractured mesh, up to the first ring that
+/// has any: where cracks have moved vertices, the faces that cover it may all have neighbours of it as
+/// parents.
 std::vector<Index> Parts::nearest_parts(Index unbroken) const {
     const auto& faces = later.rest.unbroken_faces;
     std::set<Index> ring{unbroken};
@@ -166,7 +168,7 @@ Positions Ancestry::carried(const Positions& earlier) const {
     for (std::size_t v = 0; v < vertices.size(); ++v) {
         const auto& [a, b, c] = vertices[v];
         const auto& [at_a, at_b, at_c] = weights[v];
-        // One vertex alone is as it is, whatever it holds.
+        // The value of a single vertex is copied: 0 times an infinite value would be NaN.
         values.col(static_cast<Eigen::Index>(v)) =
             at_a == 1 ? Vector3d(earlier.col(a))
                       : Vector3d(at_a * earlier.col(a) + at_b * earlier.col(b) + at_c * earlier.col(c));

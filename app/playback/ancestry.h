@@ -8,19 +8,19 @@
 
 namespace sherd {
 
-/// Where the mesh of a later frame was in that of an earlier one. Faces keep their corners, so they know
-/// which vertices cracks have split. What has been born inside an edge or a face since then, or is a part of
-/// a face that has been split, lies flat in the face that it is a part of.
+/// Places of a later frame's mesh in the mesh of an earlier one. Faces keep their corners, which shows the
+/// vertices that cracks have split. Vertices that were inserted in an edge or a face since then, and parts of
+/// a face that has been split, lie flat in the earlier face.
 struct Ancestry {
-    std::vector<Index> faces;                    ///< [F] the earlier face that each was, or was a part of
-    std::vector<std::array<Index, 3>> vertices;  ///< [V] earlier vertices between which each was, and
-    std::vector<std::array<double, 3>> weights;  ///< [V] their shares, which sum to 1
+    std::vector<Index> faces;                    ///< [F] earlier face that each was, or was a part of
+    std::vector<std::array<Index, 3>> vertices;  ///< [V] earlier vertices between which each was
+    std::vector<std::array<double, 3>> weights;  ///< [V] shares of `vertices`, which sum to 1
 
-    /// Values of the earlier vertices [3, ...] at the later ones [3, V].
+    /// Interpolates values of the earlier vertices [3, ...] to the later ones [3, V].
     Positions carried(const Positions& earlier) const;
 };
 
-/// Throws Error (input) when the frames are not those of one run, in this order.
+/// Throws Error (input) if the frames are not those of one run, in this order.
 Ancestry ancestry(const Snapshot& earlier, const Snapshot& later);
 
 }  // namespace sherd

@@ -13,7 +13,7 @@
 namespace sherd {
 namespace {
 
-/// Finds the edge of the earlier frame on which an edge that was born since lies.
+/// Finds the edge of the earlier frame on which an inserted edge lies.
 class EdgeSearch {
   public:
     EdgeSearch(const Snapshot& earlier, const Ancestry& ancestry) : ancestry(ancestry) {
@@ -23,7 +23,7 @@ class EdgeSearch {
         }
     }
 
-    /// None: it lies inside a face.
+    /// Returns none if the edge lies inside a face.
     std::optional<std::size_t> below(const std::array<Index, 2>& edge) const {
         constexpr double round_off = 1e-9;
         std::set<Index> ends;
@@ -39,7 +39,8 @@ class EdgeSearch {
     std::map<std::array<Index, 2>, std::size_t> numbers;
 };
 
-/// Edges that the crack made on the way are its rim: they carry no hinge.
+/// Sets the strains and states of edges of the earlier frame. Edges that a crack made in between are its rim:
+/// they carry no hinge.
 void say_of_edges(const Snapshot& earlier, double share, Snapshot& between) {
     for (std::size_t e = 0; e < earlier.edges.size() && e < between.edges.size(); ++e) {
         const bool unbroken =
@@ -53,7 +54,8 @@ void say_of_edges(const Snapshot& earlier, double share, Snapshot& between) {
     if (!between.edge_held.empty()) between.edge_held.resize(between.edges.size());
 }
 
-/// Those with a hinge are parts of an edge that was split, or lie where a face was, which does not bend.
+/// Sets the strains of inserted edges. Those with a hinge are parts of an edge that was split, or lie inside
+/// an earlier face, which does not bend.
 void say_of_born_edges(const Snapshot& earlier, const Ancestry& ancestry, double share, Snapshot& between) {
     std::optional<EdgeSearch> search;
     for (std::size_t e = earlier.edges.size(); e < between.edges.size(); ++e) {
@@ -65,8 +67,8 @@ void say_of_born_edges(const Snapshot& earlier, const Ancestry& ancestry, double
     }
 }
 
-/// The angle, rad, from the first axis of a face's rest frame in the later frame to that of the face that it
-/// was, or was a part of, in the earlier one.
+/// Angle, rad, from the first axis of a face's rest frame in the later frame to that of the earlier face that
+/// it was, or was a part of.
 double turn_of_frame(const RestMesh& earlier, Index before, const RestMesh& later, std::size_t face) {
     if (earlier.faces[before] == later.faces[face]) return 0;
     const auto axes = frame_axes(columns(later.position, later.faces[face]));
@@ -74,7 +76,8 @@ double turn_of_frame(const RestMesh& earlier, Index before, const RestMesh& late
     return std::atan2(axes.col(1).dot(old), axes.col(0).dot(old));
 }
 
-/// Fields of faces that both frames have. Their components are those in the frames of the later faces.
+/// Interpolates the fields of faces that both frames have. Components are those in the frames of the later
+/// faces.
 void say_of_fields(const Snapshot& earlier, const Ancestry& ancestry, double share, Snapshot& between) {
     std::vector<const Eigen::Matrix3Xd*> before;
     visit_fields(earlier.fields, [&](const char*, const Eigen::Matrix3Xd& values, const FieldMeaning&) {

@@ -12,7 +12,7 @@ namespace sherd {
 namespace {
 
 constexpr double most_moments = 100'000;
-constexpr double near = 1e-6;  // of a step, or of the way to the next frame: round-off
+constexpr double near = 1e-6;  // round-off, as a share of a step or of the time between frames
 
 }  // namespace
 
@@ -31,7 +31,7 @@ std::vector<Moment> even_moments(std::span<const std::size_t> frames, std::span<
                         "them smaller, or choose fewer --frames",
                         steps + 1, most_moments));
     std::vector<Moment> moments;
-    std::size_t at = 0;  // the last of the frames that is not later than the moment
+    std::size_t at = 0;  // last frame that is not later than the moment
     for (std::size_t i = 0; i < static_cast<std::size_t>(steps); ++i) {
         const double time = times.front() + static_cast<double>(i) * step;
         const auto share = [&] { return (time - times[at]) / (times[at + 1] - times[at]); };

@@ -11,40 +11,41 @@
 
 namespace sherd {
 
-/// The sheets of a recording at moments, which are best asked for in their order: the frames around the last
+/// Sheets of a recording at moments, which are read fastest in ascending order: the frames around the last
 /// one are kept.
 class Playback {
   public:
-    /// read: the frame of a number.
+    /// read: returns the frame of a number.
     explicit Playback(std::function<Snapshot(std::size_t)> read);
 
-    /// As recorded, or interpolated(). Throws what reading throws.
+    /// Returns a frame as recorded, or interpolated(). Throws what `read` throws.
     Snapshot at(const Moment& moment);
 
   private:
     const Snapshot& frame(std::size_t number);
 
     std::function<Snapshot(std::size_t)> read;
-    std::map<std::size_t, Snapshot> kept;  ///< by number
+    std::map<std::size_t, Snapshot> kept;  ///< frames by number
 };
 
-/// m, of the points of an obstacle's surface: what it turns about between frames.
+/// Mean of the points of an obstacle's surface, m, about which it turns between frames.
 Vector3d middle(const GridSurface& surface);
 
-/// The obstacles of a recording at moments.
+/// Obstacles of a recording at moments.
 class ObstaclePlayback {
   public:
-    /// Refers to the recording.
+    /// The recording must outlive this object.
     explicit ObstaclePlayback(const Recording& recording);
 
-    /// From the frame of each to space, as recorded or interpolated() about its middle.
+    /// Returns the motions from each obstacle's own frame to space, as recorded, or interpolated() about its
+    /// middle.
     std::vector<Eigen::Isometry3d> at(const Moment& moment) const;
-    /// As recorded, or with each point on the straight way between two frames.
+    /// Returns the points of deforming obstacles, as recorded, or linear between two frames.
     ObstacleShapes shapes(const Moment& moment) const;
 
   private:
     const Recording& recording;
-    std::vector<Vector3d> middles;  ///< m, of each, in its own frame
+    std::vector<Vector3d> middles;  ///< m, middle() of each obstacle, in its own frame
 };
 
 }  // namespace sherd

@@ -6,31 +6,31 @@
 
 namespace sherd {
 
-/// How fast a run is shown.
+/// Requested speed at which a run is shown.
 struct SlowMotion {
     std::optional<double> factor;  ///< how many times slower than reality; none: default_slowdown()
-    std::optional<double> rate;    ///< pictures a second of what is shown; none: default_rate
+    std::optional<double> rate;    ///< pictures per second of the film; none: default_rate
 };
 
 inline constexpr double default_rate = 24;
 
-/// Throws Error (input) on values that make no sense.
+/// Throws Error (input) if the factor is not positive and finite, or the rate is outside 0.1 to 1000.
 void check_slow_motion(const SlowMotion& motion);
 
-/// How fast a run of so many seconds is shown.
+/// Speed at which a run is shown.
 struct Pace {
-    double seconds = 0;  ///< of the run
+    double seconds = 0;  ///< simulated, of the run
     double slowdown = 1;
     double rate = default_rate;  ///< 1/s
 
-    double step() const { return 1 / (slowdown * rate); }  ///< s of the run from picture to picture
+    double step() const { return 1 / (slowdown * rate); }  ///< s, simulated, between pictures
     std::string words() const;  ///< "200 times slower than reality: 0.03 s last 6 s"
 };
 
 Pace pace_of(const SlowMotion& motion, double seconds);
 
-/// The smallest factor of 1, 2, 5, 10, 20, ... that makes a run of so many seconds last 4 s; it is over after
-/// 10 s then. 1 when it lasts longer by itself, or no time at all.
+/// Smallest factor of 1, 2, 5, 10, 20, ... with which a run of so many seconds lasts at least 4 s; it lasts
+/// at most 10 s then. 1 if the run itself lasts longer, or has no duration.
 double default_slowdown(double seconds);
 
 }  // namespace sherd

@@ -9,19 +9,20 @@
 
 namespace sherd {
 
-/// The tips of the cracks of a run, step by step.
+/// Crack tips of a run, step by step.
 class TipHistory {
   public:
     explicit TipHistory(const Recording& recording);
 
     bool empty() const { return records.empty(); }
-    /// Of the last step that had ended at a moment: that of a frame, or one between it and the next.
+    /// Returns the tips after the last step that ended before a moment. step: of the frame at or before the
+    /// moment; time: of the moment, s.
     std::span<const TipRecord> at(std::int64_t step, double time) const;
-    double fastest() const;  ///< m/s
+    double fastest() const;  ///< m/s, largest speed of a tip
 
   private:
-    std::vector<TipRecord> records;                     ///< by step
-    std::vector<std::pair<std::int64_t, double>> ends;  ///< each step, and when it ended
+    std::vector<TipRecord> records;                     ///< ascending by step
+    std::vector<std::pair<std::int64_t, double>> ends;  ///< number and end (s) of each step
 };
 
 }  // namespace sherd

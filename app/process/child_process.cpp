@@ -29,7 +29,7 @@ double seconds(const timeval& time) {
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-/// Keeps the end of a new pipe for reading, and returns the one for writing.
+/// Creates a pipe; keeps its read end, and returns its write end.
 Descriptor open_pipe(Descriptor& to_read) {
     std::array<int, 2> ends{-1, -1};
     require(pipe2(ends.data(), O_CLOEXEC) == 0 ? 0 : errno);
@@ -58,7 +58,7 @@ ChildProcess::ChildProcess(std::vector<std::string> arguments, const std::string
 
 ChildProcess::~ChildProcess() {
     interrupt();
-    wait();  // with the pipes open: its last words must not end it
+    wait();  // with the pipes open: its last output must not end it
 }
 
 void ChildProcess::interrupt() const {

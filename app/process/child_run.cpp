@@ -14,7 +14,7 @@
 namespace sherd {
 namespace {
 
-/// Appends what there is in a pipe; false at its end.
+/// Appends the output that is in a pipe; returns false at its end.
 bool read_some(int pipe, std::string& text) {
     pollfd waiting{pipe, POLLIN, 0};
     if (poll(&waiting, 1, 0) <= 0) return true;
@@ -24,7 +24,7 @@ bool read_some(int pipe, std::string& text) {
     return count > 0 || (count < 0 && errno == EINTR);
 }
 
-/// Takes the whole lines from the beginning of a text.
+/// Removes the whole lines from the beginning of a text, and returns them.
 std::vector<std::string> take_lines(std::string& text) {
     std::vector<std::string> lines;
     for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n')) {

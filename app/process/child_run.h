@@ -11,26 +11,26 @@
 
 namespace sherd {
 
-/// A run in a process of its own.
+/// A run in a child process.
 class ChildRun {
   public:
-    /// total: what its progress counts to, as the scene's duration. Throws Error (run) when it cannot be
+    /// total: its progress at the end, such as the scene's duration. Throws Error (run) if it cannot be
     /// started.
     ChildRun(std::string name, double total, std::vector<std::string> arguments,
              const std::string& program = ChildProcess::this_program);
 
-    /// Its pipes that may have something to say.
+    /// Adds the pipes that are still open.
     void add_pipes(std::vector<pollfd>& pipes) const;
-    /// Reads what there is in its pipes, its progress into the meter. Returns false when there will be no
-    /// more.
+    /// Reads the output that is in the pipes, and the progress into the meter. Returns false when all have
+    /// ended.
     bool listen();
-    /// What it has said on stderr since this was asked last, in whole lines with its name, if it has one, in
-    /// front; at its end all.
+    /// Returns its output on stderr since the last call, in whole lines, each with its name in front if it
+    /// has one; at its end all of the rest.
     std::string take_words();
-    /// Waits for its end; returns its exit code.
+    /// Waits for the end of the process; returns its exit code.
     int finish();
     void interrupt() { process.interrupt(); }
-    /// Of the processor, s; after finish().
+    /// Processor time, s; after finish().
     double processor_seconds() const { return process.processor_seconds; }
 
     std::string name;
@@ -46,7 +46,7 @@ class ChildRun {
     bool out_open = true, err_open = true, reports_open = true;
 };
 
-/// How a program has ended, and all that it said.
+/// Exit code and output of a program.
 struct ProgramEnd {
     int exit_code = 0;
     std::string out, err;
@@ -55,7 +55,7 @@ struct ProgramEnd {
 /// Runs a program to its end. Throws Error (run) when it cannot be started.
 ProgramEnd end_of(const std::string& program, const std::vector<std::string>& arguments);
 
-/// The error that a program of ours tells in its words, or the last line of another one.
+/// Returns the error in the output of a program of this project, or the last line of another program.
 std::string reason_in(const std::string& words);
 
 }  // namespace sherd

@@ -7,7 +7,8 @@
 namespace sherd {
 namespace {
 
-/// Keeps signals for the thread that waits for them: a new thread has those blocked that its maker has.
+/// Blocks all signals while a thread is started, which inherits that: signals stay with the thread that waits
+/// for them.
 class BlockedSignals {
   public:
     BlockedSignals() {

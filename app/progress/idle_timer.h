@@ -9,16 +9,15 @@
 
 namespace sherd {
 
-/// Calls something, from a thread of its own, each time that an interval has passed in which nothing else
-/// happened.
+/// Calls a function, from a thread of its own, each time that an interval has passed without restart().
 class IdleTimer {
   public:
     IdleTimer(std::chrono::milliseconds interval, std::function<void()> call);
-    /// Waits for a call that is being made.
+    /// Waits for a call in progress.
     ~IdleTimer();
     IdleTimer(const IdleTimer&) = delete;
 
-    /// Something has happened: the interval begins now.
+    /// Starts the interval again.
     void restart();
 
   private:

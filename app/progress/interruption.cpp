@@ -12,10 +12,10 @@
 namespace sherd {
 namespace {
 
-volatile std::sig_atomic_t signalled = 0;  // set by a signal handler, which can reach nothing else
+volatile std::sig_atomic_t signalled = 0;  // set by a signal handler, which may use nothing else
 
 void end_at_once(int signal) {
-    constexpr std::string_view words = "\nsherd: interrupted\n";  // behind a line that is not complete
+    constexpr std::string_view words = "\nsherd: interrupted\n";  // after a line that may be incomplete
     [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, words.data(), words.size());
     _exit(signal_base + signal);
 }

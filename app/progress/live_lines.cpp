@@ -15,7 +15,7 @@
 namespace sherd {
 namespace {
 
-// What every terminal of the last forty years understands, but those that call themselves dumb.
+// ANSI escape sequences, which all terminals but those with TERM=dumb obey.
 constexpr const char* erase_rest_of_line = "\x1b[K";
 constexpr const char* erase_rest_of_screen = "\x1b[J";
 
@@ -58,19 +58,19 @@ std::string LiveLines::to_first_line() const {
 
 void LiveLines::draw(std::vector<std::string> lines) {
     if (!terminal) return;
-    // A row more would scroll the first one away, where the cursor cannot get any more.
+    // A further row would scroll the first line away, out of reach of the cursor.
     lines.resize(std::min(lines.size(), std::max<std::size_t>(rows(), 2) - 1));
     std::string text = to_first_line();
     for (std::size_t i = 0; i < lines.size(); ++i)
         text += (i == 0 ? "" : "\n") + lines[i] + erase_rest_of_line;
-    // What there were more of, and what a terminal that has become narrower has moved down there.
+    // Erases lines of a longer drawing, and those that a narrowed terminal has moved down.
     text += erase_rest_of_screen;
     drawn = lines.size();
     put(text + "\r");
 }
 
 void LiveLines::clear() {
-    // Line by line first: some terminals keep a screen that is erased as a whole.
+    // Erases line by line first: some terminals keep a copy of a screen that is erased as a whole.
     if (drawn > 0) draw(std::vector<std::string>(drawn));
     if (drawn > 0) put(to_first_line());
     drawn = 0;

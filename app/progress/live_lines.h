@@ -7,26 +7,26 @@
 
 namespace sherd {
 
-/// Lines at the bottom of the terminal that stderr leads to, drawn over themselves. Between two drawings the
-/// cursor stands at the beginning of the last one, where what a keyboard echoes cannot make it wrap.
+/// Lines at the bottom of the terminal of stderr, which are drawn over themselves. Between two drawings the
+/// cursor stands at the beginning of the last line, where echoed keys cannot wrap it.
 class LiveLines {
   public:
     LiveLines();
-    /// Leaves the lines where they are and goes to a line of its own below them.
+    /// Leaves the lines in place and moves to a line of its own below them.
     ~LiveLines();
     LiveLines(const LiveLines&) = delete;
     LiveLines& operator=(const LiveLines&) = delete;
 
-    /// Whether stderr is a terminal that can do this; where it is not, nothing here does anything.
+    /// Whether stderr is a terminal that can do this; otherwise all members do nothing.
     bool possible() const { return terminal; }
-    /// How many columns the terminal has now; 80 where it does not say.
+    /// Number of columns of the terminal now; 80 if unknown.
     std::size_t columns() const;
 
-    /// lines: each shorter than columns(). Those that the terminal has no row for are left out.
+    /// lines: each shorter than columns(). Lines that do not fit into the terminal's rows are left out.
     void draw(std::vector<std::string> lines);
-    /// Takes them away, so that something else can be printed in their place.
+    /// Removes the lines, so that something else can be printed in their place.
     void clear();
-    /// Leaves them standing: what is drawn next comes below.
+    /// Leaves the lines in place: the next ones are drawn below them.
     void leave();
 
   private:
@@ -34,7 +34,7 @@ class LiveLines {
     std::string to_first_line() const;
 
     bool terminal;
-    std::size_t drawn = 0;  ///< lines that there are now
+    std::size_t drawn = 0;  ///< number of lines on the terminal
 };
 
 }  // namespace sherd

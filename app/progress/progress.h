@@ -5,23 +5,23 @@
 
 namespace sherd {
 
-/// Shows on stderr how far the one thing is that the program does. Its line is ended with it.
+/// Shows the progress of the program's single task on stderr. The destructor ends the line.
 class Progress {
   public:
-    /// total: all there is to do, in s of simulated time or in pieces; begun: what of it is done already.
+    /// total: all the work, in s of simulated time or in pieces; begun: the part that is done already.
     explicit Progress(double total, double begun = 0) : meter(total, "", begun) {}
     ~Progress() { finish(); }
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// The work begins: what there is to show() may come late.
+    /// Starts the display; the first show() may be late.
     void begin() { display.begin(); }
-    /// amount: of the total.
+    /// amount: done until now, of the total.
     void show(double amount, ProgressText text);
     void show(double amount, const std::string& what) { show(amount, {{{what, 1}}, {}}); }
-    /// Makes way for something else to be printed.
+    /// Clears the line, so that something else can be printed.
     void make_way() { display.make_way(); }
-    /// Leaves the line as it is in the end.
+    /// Leaves the last line in place.
     void finish();
 
     double wall_seconds() const { return meter.wall_seconds(); }
@@ -29,7 +29,7 @@ class Progress {
   private:
     ProgressMeter meter;
     ProgressDisplay display;
-    bool shown = false;  ///< and not finished
+    bool shown = false;  ///< whether a line is shown that is not finished
 };
 
 }  // namespace sherd

@@ -14,23 +14,24 @@
 
 namespace sherd {
 
-/// Shows on stderr how far pieces of work are that go on side by side: on a terminal a bar for each, drawn
-/// over itself, else a line for every tenth of each, and one when nothing was printed for `idle`.
+/// Shows the progress of concurrent tasks on stderr: on a terminal a bar for each, drawn over itself,
+/// otherwise a line for every tenth of each, and one if nothing was printed for `idle`.
 class ProgressDisplay {
   public:
-    /// name_columns: how long the longest name is.
+    /// name_columns: length of the longest name.
     explicit ProgressDisplay(std::size_t name_columns = 0,
                              std::chrono::milliseconds idle = std::chrono::seconds(30))
         : name_columns(name_columns), idle(idle) {}
 
-    /// The work begins: how far it is may be shown late.
+    /// Starts the display; the first show() may be late.
     void begin();
-    /// Of all that go on; on a terminal not more often than it is worth it, unless `at_once`.
+    /// Shows all running tasks; on a terminal no more than ten times a second, unless `at_once`.
     void show(std::span<ProgressMeter* const> running, bool at_once = false);
-    /// Leaves a last line of a piece of work that has ended, above those that go on. Only on a terminal: for
-    /// a file its tenths say as much.
+    /// Leaves a last line of a task that has ended, above the running ones. Only on a terminal: in a file its
+    /// tenths suffice.
     void leave(const ProgressMeter& ended);
-    /// Makes way for something else to be printed, at the beginning of a line; show() brings the bars back.
+    /// Clears the bars, so that something else can be printed at the beginning of a line; show() draws them
+    /// again.
     void make_way();
 
   private:
@@ -43,8 +44,8 @@ class ProgressDisplay {
     std::chrono::milliseconds idle;
     std::chrono::steady_clock::time_point last_shown, begun;
     std::mutex mutex;                  ///< guards the records
-    std::vector<std::string> records;  ///< last known of all that go on; where there is no terminal
-    std::optional<IdleTimer> timer;    ///< destroyed first, since it reads the others
+    std::vector<std::string> records;  ///< last texts of all running tasks; only without a terminal
+    std::optional<IdleTimer> timer;    ///< destroyed first, since its thread reads the members above
 };
 
 }  // namespace sherd

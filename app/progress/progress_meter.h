@@ -7,24 +7,24 @@
 
 namespace sherd {
 
-/// What is said before and after the time to go.
+/// Texts before and after the remaining time.
 struct ProgressText {
     std::vector<ProgressPart> before, after;
 };
 
-/// How far a piece of work is, and how long it will take.
+/// Progress of a task, and its remaining time.
 class ProgressMeter {
   public:
-    /// total: all there is to do, in s of simulated time or in pieces; begun: what of it is done already.
+    /// total: all the work, in s of simulated time or in pieces; begun: the part that is done already.
     explicit ProgressMeter(double total, std::string name = "", double begun = 0);
 
-    /// amount: of the total.
+    /// amount: done until now, of the total.
     void update(double amount, ProgressText text);
-    /// The work has ended: the time that it took stands in the place of the time to go.
+    /// Ends the task: its duration takes the place of the remaining time.
     void end(const std::string& how = "took");
 
     const ProgressStatus& status() const { return current; }
-    /// Whether another tenth of the work has been done since this was asked last.
+    /// Whether another tenth of the work has been done since the last call.
     bool has_new_tenth();
     double wall_seconds() const;
 

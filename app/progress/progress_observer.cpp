@@ -8,7 +8,7 @@
 namespace sherd {
 namespace {
 
-constexpr Index most_substeps = 1000;  // a step may take without a word
+constexpr Index most_substeps = 1000;  // most substeps of a step without a warning
 
 }  // namespace
 
@@ -35,7 +35,7 @@ void ProgressObserver::warn_of_substeps(const StepReport& report) {
 }
 
 void ProgressObserver::ended(const RunEnd& end) {
-    // It may be the reader of the reports that is gone.
+    // A run may have failed because the reader of the reports has gone.
     if (!end.has_failed()) reporter.finish();
 }
 

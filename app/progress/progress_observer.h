@@ -8,11 +8,11 @@
 
 namespace sherd {
 
-/// Shows or reports how far a run is, and says once why its steps take long, where it is seen.
+/// Shows or reports the progress of a run, and warns once of a step with many substeps.
 class ProgressObserver : public RunObserver {
   public:
-    /// begun: s of the scene that earlier runs have made; totals: of the run, which are told of each step
-    /// before this is; descriptor: as for RunReporter, which may throw.
+    /// begun: s of the scene that earlier runs have simulated; totals: of the run, which must observe each
+    /// step before this does; descriptor: as for RunReporter, which may throw.
     ProgressObserver(const Scene& scene, double begun, const RunTotals& totals, int descriptor)
         : reporter(scene.duration, begun, descriptor), scene(scene), totals(totals) {}
 

@@ -9,21 +9,21 @@
 
 namespace sherd {
 
-/// How far a run is.
+/// Progress of a run.
 struct RunProgress {
     std::int64_t step = 0;
-    double time = 0, duration = 0;  ///< simulated
-    double step_size = 0;           ///< now
+    double time = 0, duration = 0;  ///< simulated, in `unit`
+    double step_size = 0;           ///< size of the last step, in `unit`
     std::int64_t cracks = 0, fragments = 0, halvings = 0;
-    std::string unit = "s";  ///< of its times: Scene::time_unit()
+    std::string unit = "s";  ///< unit of times: Scene::time_unit()
 };
 
-/// What is said of it; the halvings of steps when there have been any.
+/// Returns the texts on a run's progress, with the halvings of steps if there were any.
 ProgressText progress_text(const RunProgress& progress);
 
-/// One line of numbers, for another process of this program.
+/// Returns a line of numbers, for another process of this program.
 std::string to_line(const RunProgress& progress);
-/// None when the line is not one of to_line().
+/// Reads a line of to_line(); none if it is not one.
 std::optional<RunProgress> run_progress(const std::string& line);
 
 }  // namespace sherd

@@ -29,7 +29,7 @@ void RunReporter::update(const RunProgress& progress) {
     if (descriptor < 0) return shown.show(progress.time, progress_text(progress));
     last = progress;
     sent.update(progress.time, {});
-    // The tenths come for certain: what a file says of them does not hang on how fast anything is.
+    // Every tenth is reported, so that the lines in a file do not depend on the speed of a run.
     if (!sent.has_new_tenth() && wall_seconds() - last_sent < pause) return;
     last_sent = wall_seconds();
     send();
@@ -51,7 +51,7 @@ void RunReporter::send() const {
     ssize_t count;
     do count = write(descriptor, line.data(), line.size());
     while (count < 0 && errno == EINTR);
-    if (count < 0 && errno == EPIPE) end_without_reader();  // whoever began this run has been killed
+    if (count < 0 && errno == EPIPE) end_without_reader();  // the parent process has been killed
     if (count < 0)
         throw Error(fmt::format("cannot report how far the run is: {}", std::strerror(errno)), Fault::run);
 }

@@ -8,11 +8,11 @@
 
 namespace sherd {
 
-/// Tells how far a run is: on stderr, or to the process that started this one and shows it among others.
+/// Shows the progress of a run on stderr, or reports it to the process that started this one.
 class RunReporter {
   public:
-    /// duration: s; begun: s of it that earlier runs have made; descriptor: of the other process's pipe,
-    /// negative: there is only stderr. Throws Error (input) when that is not open.
+    /// duration: s; begun: s of it that earlier runs have simulated; descriptor: of the pipe to the other
+    /// process, negative: stderr only. Throws Error (input) if the descriptor is not open.
     RunReporter(double duration, double begun, int descriptor);
 
     void update(const RunProgress& progress);

@@ -13,15 +13,15 @@
 #include "core/vector.h"
 #include "meshops/mesh.h"
 
-/// Here is what Python sees of Sherd.
+/// Python module of Sherd.
 namespace sherd::python {
 
 namespace py = pybind11;
 
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// Numbers [n], or [n, width]. With an owner they are a view that nobody can write to and that keeps the
-/// owner alive; else a copy.
+/// Returns numbers [n], or [n, width]. With an owner, the array is a read-only view that keeps the owner
+/// alive; otherwise it is a copy.
 template <class Scalar>
 py::array numbers(const Scalar* first, std::size_t rows, std::size_t width, py::handle owner = {}) {
     std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(rows)};
@@ -41,36 +41,36 @@ inline py::array array_of(const VectorXd& values, py::handle owner = {}) {
     return numbers(values.data(), static_cast<std::size_t>(values.size()), 1, owner);
 }
 
-/// [n, 3] of columns [3, n].
+/// Returns columns [3, n] as an array [n, 3].
 inline py::array array_of(const Positions& columns, py::handle owner = {}) {
     return numbers(columns.data(), static_cast<std::size_t>(columns.cols()), 3, owner);
 }
 
-/// The matrix [4, 4] of a motion.
+/// Returns the matrix [4, 4] of a motion.
 inline py::array array_of(const Eigen::Isometry3d& motion) {
     const Eigen::Matrix<double, 4, 4, Eigen::RowMajor> rows = motion.matrix();
     return numbers(rows.data(), 4, 4);
 }
 
-/// The vertices of each face.
+/// Returns the vertices of each face.
 std::vector<std::array<Index, 3>> corners_of(const Shell& shell);
 
-/// Columns [3, n] of an array [n, 3]. Throws Error, naming the array, when it has another shape or a number
-/// that is not finite.
+/// Returns the rows of an array [n, 3] as columns [3, n]. Throws Error, naming the array, if it has another
+/// shape or a number that is not finite.
 Positions columns_of(const Numbers& array, const std::string& name);
 
-/// The same with `count` rows.
+/// Returns the rows of an array [count, 3] as columns; throws Error also if it has another number of rows.
 Positions columns_of(const Numbers& array, const std::string& name, Eigen::Index count);
 
-/// The whole numbers of an array [n]. Throws Error, naming the array, when it has another shape, or one is
-/// not whole.
+/// Returns the whole numbers of an array [n]. Throws Error, naming the array, if it has another shape, or a
+/// number that is not whole.
 std::vector<Index> indices_of(const Numbers& array, const std::string& name);
 
-/// The same in rows of an array [n, N].
+/// Returns the whole numbers in the rows of an array [n, N]. Throws Error as indices_of() does.
 template <std::size_t N>
 std::vector<std::array<Index, N>> rows_of(const Numbers& array, const std::string& name);
 
-/// The edges between pairs of vertices [n, 2]. Throws Error, naming the pair, when there is no edge.
+/// Returns the edges between pairs of vertices [n, 2]. Throws Error, naming the pair, if there is no edge.
 std::vector<Edge> edges_of(const Mesh& mesh, const Numbers& pairs);
 
 }  // namespace sherd::python

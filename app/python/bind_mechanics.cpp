@@ -8,7 +8,7 @@
 namespace sherd::python {
 namespace {
 
-/// As scipy.sparse.csc_matrix takes the lower triangle: values, rows, starts of columns.
+/// Lower triangle in the form of scipy.sparse.csc_matrix: values, rows, starts of columns.
 py::tuple hessian(SceneMechanics& mechanics, const Numbers& positions) {
     const BlockMatrix matrix = mechanics.hessian(mechanics.placed(columns_of(positions, "positions")));
     const auto list = [](auto span) { return numbers(span.data(), span.size(), 1); };

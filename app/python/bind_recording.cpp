@@ -13,7 +13,7 @@
 namespace sherd::python {
 namespace {
 
-/// Of a frame that may be counted from the end.
+/// Index of a frame, which may be counted from the end.
 std::size_t number_of(const Recording& recording, py::ssize_t number) {
     const auto count = static_cast<py::ssize_t>(recording.frame_count());
     if (number < -count || number >= count)
@@ -40,7 +40,7 @@ py::dict recorded_reactions(const Recording& recording) {
     return by_name;
 }
 
-/// What each gauge shows in each step.
+/// Readings of each gauge in each step.
 py::dict recorded_gauges(const Recording& recording) {
     const std::vector<RecordedGauge> gauges = recording.header().gauges;
     const std::vector<StepReport> steps = recording.steps();

@@ -39,7 +39,7 @@ py::dict reactions(LiveRun& run) {
     return by_name;
 }
 
-/// The pose of each obstacle and body as the run stands.
+/// Pose of each obstacle and body at the simulation's time.
 py::dict current_poses(LiveRun& run) {
     const Simulation& simulation = run.simulation();
     const std::vector<Obstacle>& obstacles = simulation.obstacles();

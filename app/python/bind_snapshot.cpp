@@ -6,7 +6,7 @@
 namespace sherd::python {
 namespace {
 
-/// A property that shows a list of the snapshot; none: it is empty.
+/// Property that shows a list of the snapshot; None if it is empty.
 template <class Get>
 auto view_of(Get get) {
     return [get](py::object self) -> py::object {

@@ -5,7 +5,7 @@
 
 namespace sherd::python {
 
-// Each adds what its name says to the module, with docstrings.
+// Functions that add parts of the interface to the module, with docstrings.
 void bind_error(pybind11::module_& module);
 void bind_scene(pybind11::module_& module);
 void bind_snapshot(pybind11::module_& module);

@@ -37,7 +37,7 @@ LiveRun::LiveRun(const Scene& scene, int threads) : runner(scene, built(scene, t
 }
 
 void LiveRun::step() {
-    const Turn turn(taken);  // with the lock: whoever has it may look until now
+    const Turn turn(taken);  // taken under Python's lock, under which other threads read the run
     const WithoutLock others;
     runner.advance();
 }

@@ -13,10 +13,10 @@
 
 namespace sherd::python {
 
-/// The right to use a run, which one thread has at a time: others must not look at it while it steps.
+/// Exclusive use of a run by a thread: no other thread may read it during a step.
 class Turn {
   public:
-    /// Throws Error when another thread has it.
+    /// Throws Error if another thread uses the run.
     explicit Turn(std::atomic<bool>& taken);
     ~Turn() { taken = false; }
     Turn(const Turn&) = delete;
@@ -29,34 +29,34 @@ class Turn {
 /// step().
 class LiveRun : RunObserver {
   public:
-    /// threads: at most; results do not depend on them.
+    /// threads: largest number of them; results do not depend on it.
     LiveRun(const Scene& scene, int threads);
 
-    /// Leaves Python's lock to others meanwhile. Frames of a recording are written with it, since HDF5 is for
-    /// one thread at a time.
+    /// Makes a step, without Python's lock. Frames of a recording are written with the lock, since only one
+    /// thread at a time may use HDF5.
     void step();
     bool has_ended();
     const Simulation& simulation();
-    /// To be changed between two steps.
+    /// Returns the simulation, to be changed between two steps.
     Simulation& changed();
 
-    /// Begins to record. Throws Error (input) after the first step, when the run is being recorded, or when
-    /// the recording cannot be created.
+    /// Starts a recording. Throws Error (input) after the first step, if the run is being recorded, or if the
+    /// recording cannot be created.
     void record(const std::filesystem::path& file, bool force);
-    /// Ends the recording; failure: why the run failed, empty: it did not.
+    /// Ends the recording; failure: why the run failed, or "".
     void end_recording(const std::string& failure);
 
     const Scene& scene() const { return runner.scene(); }
     const std::vector<std::string>& warnings() const { return told; }
-    const std::optional<StepReport>& report();  ///< of the last step
-    const CrackEvents& events();                ///< since the start
+    const std::optional<StepReport>& report();  ///< none before the first step
+    const CrackEvents& events();                ///< events since the start
 
   private:
     using Clock = std::chrono::steady_clock;
     struct LiveRecording {
         RunRecorder recorder;
         Clock::time_point begin = Clock::now();
-        double last_frame = 0;  ///< s
+        double last_frame = 0;  ///< s, time of the last frame
     };
 
     void stepped(const StepReport& report, const CrackEvents& events) override;

@@ -11,7 +11,7 @@ PYBIND11_MODULE(_sherd, module) {
     module.doc() = "The compiled part of sherd: see help(sherd).";
     module.attr("__version__") = SHERD_VERSION;
     py::options options;
-    options.disable_function_signatures();  // docstrings have shorter ones
+    options.disable_function_signatures();  // docstrings have shorter signatures
     bind_error(module);
     bind_scene(module);
     bind_snapshot(module);

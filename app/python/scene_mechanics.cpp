@@ -11,7 +11,7 @@
 namespace sherd::python {
 namespace {
 
-/// With the second derivative that belongs to the energy.
+/// Returns options with the exact second derivative of the energy.
 ShellEnergyOptions exact(ShellEnergyOptions options) {
     options.bending.jacobian = exact_jacobian(options.bending.model);
     return options;

@@ -10,8 +10,8 @@
 
 namespace sherd::python {
 
-/// The elastic energy of a scene's sheets as a function of the positions of their vertices, [3, V] m: with
-/// the exact second derivative, and nothing held.
+/// Elastic energy of a scene's sheets as a function of the positions of their vertices, [3, V] m, with the
+/// exact second derivative, and without supports.
 class SceneMechanics {
   public:
     explicit SceneMechanics(const Scene& scene);
@@ -20,7 +20,7 @@ class SceneMechanics {
     const Shell& shell() const { return built.sheets.mechanics(); }
     const std::vector<std::string>& warnings() const { return told; }
 
-    /// The same positions. Throws Error when there are not V.
+    /// Returns the positions. Throws Error if there are not V.
     Positions placed(Positions positions) const;
     struct Parts {
         double bending, membrane;  ///< J

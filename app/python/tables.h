@@ -21,7 +21,7 @@ py::dict columns_by_name(const std::vector<Row>& rows) {
     return columns;
 }
 
-/// The same of all events, by kind.
+/// Columns of all events, by kind.
 inline py::dict events_by_kind(const CrackEvents& events) {
     py::dict by_kind;
     visit_kinds([&]<class Event>(std::vector<Event> CrackEvents::*kind) {
@@ -31,7 +31,7 @@ inline py::dict events_by_kind(const CrackEvents& events) {
     return by_kind;
 }
 
-/// One entry of a row for Python.
+/// Returns an entry of a row for Python.
 template <class T>
 py::object value_of(const T& value) {
     if constexpr (std::same_as<T, Vector3d>)

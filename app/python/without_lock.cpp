@@ -11,7 +11,8 @@
 namespace sherd::python {
 namespace {
 
-/// Threads without the lock. A process has one Python, and so one of these.
+/// State of the threads without the lock. A process has a single Python, and so a single object of this
+/// struct.
 struct Outside {
     std::mutex mutex;
     std::condition_variable changed;
@@ -20,11 +21,11 @@ struct Outside {
 };
 
 Outside*& current() {
-    static Outside* only = new Outside;  // never destroyed: threads that sleep outlive all that is
+    static Outside* only = new Outside;  // never destroyed: sleeping threads outlive all static objects
     return only;
 }
 
-/// A process that another forks has the thread that called it alone.
+/// Resets the state in a forked process, which has only the thread that called fork.
 void begin_anew() {
     current() = new Outside;
 }
@@ -35,7 +36,7 @@ Outside& outside() {
     return *current();
 }
 
-/// Until the process ends.
+/// Sleeps until the process ends.
 [[noreturn]] void sleep_on() {
     for (;;) pause();
 }

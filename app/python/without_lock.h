@@ -3,9 +3,9 @@
 
 namespace sherd::python {
 
-/// Leaves Python's lock to other threads while it lives. When Python ends, end_of_python() waits for all of
-/// these, and the threads that had them sleep from then on: a daemon thread that asked for the lock after
-/// that would be ended by Python in the middle of C++, which ends the program (SIGABRT).
+/// Releases Python's lock for other threads during its lifetime. When Python ends, end_of_python() waits for
+/// all such objects, and their threads sleep from then on: a daemon thread that requested the lock after that
+/// would be ended by Python in the middle of C++, which ends the program (SIGABRT).
 class WithoutLock {
   public:
     WithoutLock();
@@ -16,7 +16,7 @@ class WithoutLock {
     void* state;  ///< PyThreadState
 };
 
-/// To be called by `atexit`, with the lock: no thread comes back to Python from then on.
+/// To be called by `atexit`, with the lock: from then on no thread returns to Python.
 void end_of_python();
 
 }  // namespace sherd::python

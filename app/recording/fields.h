@@ -7,7 +7,7 @@
 
 namespace sherd {
 
-/// Throws Error (input), which says how to record it, when a frame does not have the field `name` (of
+/// Throws Error (input), with advice on recording it, if a frame does not have the field `name` (of
 /// output.fields).
 void require_field(const Eigen::Matrix3Xd& values, const std::string& name);
 

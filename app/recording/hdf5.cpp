@@ -33,7 +33,7 @@ void store_attribute(hid_t where, const std::string& name, hid_t type, const voi
     checked(H5Awrite(attribute, type, value), what);
 }
 
-/// Opens an attribute of one value and of class `kind`.
+/// Opens an attribute of one value and of class `kind`; throws Error (run) if it has another type.
 Handle open_attribute(hid_t where, const std::string& name, H5T_class_t kind) {
     const std::string what = "cannot read attribute '" + name + "'";
     Handle attribute(checked(H5Aopen(where, name.c_str(), H5P_DEFAULT), what));
@@ -52,7 +52,7 @@ T read_number(hid_t where, const std::string& name, H5T_class_t kind) {
     return value;
 }
 
-/// The text of a variable-length string that HDF5 allocated.
+/// Returns the text of a variable-length string that HDF5 allocated, and frees the string.
 std::string taken(char* text) {
     std::string value = text ? text : "";
     H5free_memory(text);
@@ -65,7 +65,7 @@ Handle new_group(hid_t where, const std::string& name) {
                 "cannot create group '" + name + "'"));
 }
 
-/// HDF5 would make these groups itself, but with the time of it.
+/// Creates the missing parent groups of `name`. HDF5 would store the time of creation with them.
 void make_groups_above(hid_t where, const std::string& name) {
     for (std::size_t end = name.find('/', 1); end != std::string::npos; end = name.find('/', end + 1))
         if (const std::string above = name.substr(0, end); !contains(where, above)) new_group(where, above);
@@ -95,8 +95,8 @@ void describe(hid_t dataset, const Meaning& meaning) {
     if (*meaning.description) write_attribute(dataset, "description", std::string(meaning.description));
 }
 
-/// That the values which a damaged file promises are not more than its bytes can be: who reads makes room for
-/// all of them.
+/// Throws Error (run) if the header of a dataset claims more values than its stored bytes can hold: readers
+/// allocate what the header claims.
 void require_stored(hid_t dataset, const std::string& name, const std::vector<hsize_t>& shape) {
     constexpr double few = 1 << 17;  // values
     double values = 1;

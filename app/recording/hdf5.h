@@ -14,11 +14,11 @@
 
 #include "core/vector.h"
 
-/// Here is the little of HDF5 that a recording needs. Every function throws Error (Fault::run) with the name
-/// of the object and HDF5's own reason when something cannot be done.
+/// Functions of HDF5 that a recording needs. Every function throws Error (Fault::run), with the name of the
+/// object and HDF5's own reason, when it fails.
 namespace sherd::hdf5 {
 
-/// Owns an identifier of HDF5, of whatever kind.
+/// Owns an HDF5 identifier of any kind.
 class Handle {
   public:
     explicit Handle(hid_t id = H5I_INVALID_HID) : id(id) {}
@@ -32,14 +32,14 @@ class Handle {
     }
     operator hid_t() const { return id; }
 
-    /// Gives the identifier back now, so that a failing write is noticed.
+    /// Releases the identifier now, and throws Error if that fails, as a delayed write may.
     void close(const std::string& what);
 
   private:
     hid_t id;
 };
 
-/// Says how the values of a C++ type lie in a dataset: [rows] of `Scalar`, or [rows, width].
+/// Layout of the values of a C++ type in a dataset: [rows] of `Scalar`, or [rows, width].
 template <class T>
 struct Element {
     using Scalar = T;
@@ -70,7 +70,7 @@ hid_t native_type() {
     if constexpr (std::same_as<Scalar, std::uint8_t>) return H5T_NATIVE_UINT8;
 }
 
-/// Says what a dataset is, for whoever opens it, as the attributes `unit` and `description`.
+/// Unit and description of a dataset, stored as the attributes `unit` and `description`.
 struct Meaning {
     const char* unit = "1";
     const char* description = "";
@@ -81,16 +81,15 @@ Handle create_group(hid_t where, const std::string& name);
 Handle open_group(hid_t where, const std::string& name);
 bool contains(hid_t where, const std::string& name);
 std::size_t member_count(hid_t where, const std::string& group);
-/// Creation properties of this class for what keeps no time of its making: the same run is to give the same
-/// file.
+/// Creation properties of the class `kind` without a time of creation: equal runs give equal files.
 Handle timeless(hid_t kind);
-/// Returns the names in a group, in the order of their letters.
+/// Returns the names in a group, in alphabetical order.
 std::vector<std::string> member_names(hid_t where, const std::string& group);
 void remove(hid_t where, const std::string& name);
-/// Makes a name for the object at the path `target` of the same file.
+/// Creates a soft link to the path `target` of the same file.
 void create_link(hid_t where, const std::string& name, const std::string& target);
 
-/// These are attributes of a file, group or dataset; writing one again replaces its value.
+/// Attributes of a file, group or dataset. Writing one again replaces its value.
 void write_attribute(hid_t where, const std::string& name, const std::string& value);
 void write_attribute(hid_t where, const std::string& name, double value);
 void write_attribute(hid_t where, const std::string& name, std::int64_t value);
@@ -104,7 +103,7 @@ std::string read_text(hid_t where, const std::string& name);
 void write_texts(hid_t where, const std::string& name, const std::vector<std::string>& texts);
 std::vector<std::string> read_texts(hid_t where, const std::string& name);
 
-/// These are the untyped cores of the functions below; `type` is the type in memory.
+/// Untyped versions of the functions below; `type` is the type in memory.
 void create_array(hid_t where, const std::string& name, hid_t type, std::span<const hsize_t> shape,
                   const void* values, const Meaning& meaning);
 inline void create_array(hid_t where, const std::string& name, hid_t type, hsize_t rows, hsize_t width,
@@ -115,7 +114,8 @@ inline void create_array(hid_t where, const std::string& name, hid_t type, hsize
 void create_table(hid_t where, const std::string& name, hid_t type, hsize_t width, const Meaning& meaning);
 void append_table(hid_t where, const std::string& name, hid_t type, hsize_t rows, hsize_t width,
                   const void* values);
-/// Reads a whole dataset; with `width` one that has so many values a row, or no rows.
+/// Reads a whole dataset. With `width`, throws Error unless it has `width` values a row, and reads nothing if
+/// it has no rows.
 void read_array(hid_t where, const std::string& name, hid_t type, void* values);
 void read_array(hid_t where, const std::string& name, hid_t type, hsize_t width, void* values);
 /// The lengths of a dataset along its dimensions.
@@ -124,7 +124,7 @@ std::vector<hsize_t> shape_of(hid_t where, const std::string& name);
 hsize_t row_count(hid_t where, const std::string& name, hsize_t width);
 void resize_table(hid_t where, const std::string& name, hsize_t rows);
 
-/// Makes a compressed dataset that does not change any more.
+/// Creates a compressed dataset of fixed size.
 template <class T>
 void write(hid_t where, const std::string& name, std::span<const T> values, const Meaning& meaning) {
     using E = Element<T>;

@@ -11,12 +11,12 @@
 namespace sherd::hdf5 {
 namespace {
 
-/// What HDF5 passes on to open().
+/// Data that HDF5 passes on to open().
 struct DriverInfo {
     ByteFile* file;
 };
 
-/// An open file, for HDF5, which knows the base and fills it in.
+/// An open file. HDF5 reads and fills the base.
 struct OpenFile : H5FD_t {
     ByteFile* bytes = nullptr;
     haddr_t end_of_addresses = 0;
@@ -30,7 +30,7 @@ const OpenFile& open_file(const H5FD_t* file) {
     return *static_cast<const OpenFile*>(file);
 }
 
-/// No exception may pass through HDF5, which is told of them as of its own errors.
+/// Reports exceptions of `action` to HDF5 as errors: none may propagate through HDF5, which is C.
 template <class Action>
 herr_t without_exceptions(Action action) {
     try {
@@ -56,7 +56,7 @@ herr_t close(H5FD_t* file) {
     return 0;
 }
 
-/// Those of HDF5's own driver of files that change the layout: recordings do not depend on the driver.
+/// Features of HDF5's own file driver that change the layout, so that recordings do not depend on the driver.
 herr_t query(const H5FD_t*, unsigned long* features) {
     *features = H5FD_FEAT_AGGREGATE_METADATA | H5FD_FEAT_ACCUMULATE_METADATA | H5FD_FEAT_DATA_SIEVE |
                 H5FD_FEAT_AGGREGATE_SMALLDATA | H5FD_FEAT_DEFAULT_VFD_COMPATIBLE;
@@ -99,9 +99,9 @@ herr_t truncate(H5FD_t* file, hid_t, hbool_t) {
 
 Handle register_driver() {
     H5FD_class_t driver{};
-#ifdef H5FD_CLASS_VERSION  // HDF5 1.14 wants to know these, 1.10 does not have them
+#ifdef H5FD_CLASS_VERSION  // members that HDF5 1.14 requires and 1.10 does not have
     driver.version = H5FD_CLASS_VERSION;
-    driver.value = 512;  // the first of those that nobody registers
+    driver.value = 512;  // first number for unregistered drivers
 #endif
     driver.name = "sherd";
     driver.maxaddr = HADDR_MAX / 2;
@@ -121,9 +121,9 @@ Handle register_driver() {
     return Handle(H5FDregister(&driver));
 }
 
-/// HDF5 closes what is still open in a file with it, so that it is closed for good when we say so. The format
-/// is that of HDF5 1.10: it has checksums of all that says where something is, without which a damaged file
-/// makes HDF5 read anywhere; it is smaller and faster to write, too.
+/// Access properties of a file. Closing the file closes all its objects, too (H5F_CLOSE_STRONG). In the
+/// format of HDF5 1.10 all metadata have checksums, without which HDF5 reads anywhere in a damaged file; it
+/// is smaller and faster to write, too.
 Handle access_to(ByteFile& file, const Handle& driver) {
     const DriverInfo info{&file};
     Handle access(H5Pcreate(H5P_FILE_ACCESS));

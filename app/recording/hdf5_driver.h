@@ -6,15 +6,14 @@
 #include "app/files/byte_file.h"
 #include "app/recording/hdf5.h"
 
-/// Here HDF5 reads and writes the bytes of a ByteFile, by a virtual file driver. The file must outlive what
-/// is opened in it; `name` is for messages. Functions throw Error (Fault::run).
+/// HDF5 files in a ByteFile, by a virtual file driver. The ByteFile must outlive all handles of the file;
+/// `name` is for messages. Functions throw Error (Fault::run).
 namespace sherd::hdf5 {
 
 enum class Access { create, read, write };
 
-/// A file that is open, and its driver. HDF5 closes the file by what belongs to the driver, which it frees
-/// with the last handle of it, even if that is the file's own (H5FD_close in 1.10.8): ours has to live
-/// longer.
+/// An open file, and its driver. HDF5 frees a driver with the last handle of it, and still uses it after it
+/// has released the file's own handle (H5FD_close in 1.10.8): `driver` must outlive `file`.
 struct OpenedFile {
     Handle driver, file;
 };

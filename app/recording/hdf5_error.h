@@ -3,16 +3,16 @@
 
 #include <string>
 
-/// How HDF5 tells what went wrong.
+/// Errors of HDF5 as exceptions.
 namespace sherd::hdf5 {
 
-/// HDF5 prints its error stack unless told not to; ours goes into the Error.
+/// Stops HDF5 from printing its error stack; fail() puts the innermost error into the Error.
 void be_quiet();
 
 /// Throws Error (run): `what`, and why the last call of HDF5 failed.
 [[noreturn]] void fail(const std::string& what);
 
-/// What a call of HDF5 has returned; a negative one is a failure.
+/// Returns the result of an HDF5 call; throws Error (run) if it is negative.
 template <class Result>
 Result checked(Result result, const std::string& what) {
     if (result < 0) fail(what);

@@ -13,7 +13,7 @@
 
 namespace sherd::hdf5 {
 
-/// An HDF5 file that is open to be read, in its last committed state.
+/// An HDF5 file that is open for reading, in its last committed state.
 class ReadableFile {
   public:
     /// Waits for a writer to finish. Throws Error: (input) when the file is missing, damaged or not HDF5,
@@ -26,10 +26,10 @@ class ReadableFile {
     OpenedFile opened;
 };
 
-/// Fills a new HDF5 file. Throws Error (run) when there is no room for it.
+/// Fills a new HDF5 file. Throws Error (run) if the disk is full.
 void write_new(PendingFile& file, const std::function<void(hid_t)>& fill);
 
-/// Changes an HDF5 file, as a whole or, when it throws Error (run), not at all.
+/// Changes an HDF5 file completely, or not at all if `edit` or the file throws Error.
 void change(JournaledFile& file, const std::function<void(hid_t)>& edit);
 
 }  // namespace sherd::hdf5

@@ -8,20 +8,20 @@
 
 namespace sherd::recording_format {
 
-/// Writes the surfaces of obstacles into the head of a recording.
+/// Writes the surfaces of obstacles into the header of a recording.
 void write_obstacles(hid_t file, std::span<const RecordedObstacle> obstacles);
 
-/// Before the first frame each stands in its own frame.
+/// Places before the first frame: each obstacle in its own frame of reference.
 ObstaclePlaces first_places(std::span<const RecordedObstacle> obstacles);
 
-/// The places in a frame. One that has not moved since `before` has its points where it had them; else, and
-/// if it deforms, they are a dataset of this frame. Throws Error (run) when there are not as many poses as
-/// obstacles, or shapes are missing.
+/// Returns the places in a frame. An obstacle that has not moved since `before` keeps its dataset of points;
+/// one that has moved, or deforms, gets a dataset in this frame. Throws Error (run) if the number of poses is
+/// not that of obstacles, or if points of a deforming obstacle are missing.
 ObstaclePlaces next_places(const ObstaclePlaces& before, std::size_t frame,
                            std::span<const RecordedObstacle> obstacles,
                            std::span<const Eigen::Isometry3d> poses, const ObstacleShapes& shapes);
 
-/// Writes the poses of a frame, and the points of what has moved or deforms: next_places().
+/// Writes the poses of a frame, and the points of obstacles that have moved or deform (next_places()).
 void write_places(hid_t file, std::size_t frame, std::span<const RecordedObstacle> obstacles,
                   const ObstaclePlaces& places, const ObstacleShapes& shapes);
 

@@ -15,23 +15,23 @@ namespace sherd {
 struct RecordedObstacle {
     std::string name;
     GridSurface surface;  ///< in the obstacle's own frame
-    bool plane = false;   ///< infinite; the surface is a square of it, which faces to the side of the sheets
-    /// Whether each frame has points of its own (ObstacleShapes), where its pose is none.
+    bool plane = false;   ///< infinite plane; the surface is a square of it that faces the sheets
+    /// Whether each frame has its points (ObstacleShapes); its pose is then the identity.
     bool deforms = false;
 };
 
-/// In a frame, or between two, the points in space of each obstacle that deforms, m; empty of others.
+/// Points in space of each obstacle that deforms, m, in a frame or between two; empty for other obstacles.
 using ObstacleShapes = std::vector<std::vector<Vector3d>>;
 
-/// A surface with these points, or as it is if there are none.
+/// Returns the surface with other points, or unchanged if `points` is empty.
 inline GridSurface reshaped(const GridSurface& surface, const std::vector<Vector3d>& points) {
     return points.empty() ? surface : GridSurface{points, surface.triangles};
 }
 
-/// Where a frame of a recording shows its obstacles.
+/// Places of the obstacles in a frame of a recording.
 struct ObstaclePlaces {
-    std::vector<Eigen::Isometry3d> poses;  ///< from the frame of each to space
-    std::vector<std::string> points;       ///< path of the dataset with its points as they stand in space
+    std::vector<Eigen::Isometry3d> poses;  ///< from each obstacle's own frame to space
+    std::vector<std::string> points;       ///< path of the dataset with each obstacle's points in space
 
     void visit_state(StateVisitor& visit) {
         auto& [poses, points] = *this;

@@ -8,11 +8,11 @@
 
 namespace sherd::recording_format {
 
-/// Rows of each table of a recording.
+/// Returns the number of rows of each table of a recording.
 std::vector<std::size_t> extent(hid_t file);
 
-/// Makes the file what it was when it had so many frames, and rows in each table. Throws Error (run) when it
-/// holds less.
+/// Truncates the file to `frames` frames, and to `rows` rows of each table. Throws Error (run) if it holds
+/// less.
 void cut(hid_t file, std::size_t frames, std::span<const std::size_t> rows);
 
 }  // namespace sherd::recording_format

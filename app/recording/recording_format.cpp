@@ -29,7 +29,7 @@ struct Length {
     std::size_t rows;
 };
 
-/// Of arrays that must be as long as the first one.
+/// Returns a message if an array is not as long as the first one, or "".
 std::string difference(std::initializer_list<Length> arrays) {
     for (const Length& array : arrays)
         if (array.rows != arrays.begin()->rows)
@@ -42,7 +42,7 @@ std::string first_of(std::initializer_list<std::string> faults) {
     return found == faults.end() ? "" : *found;
 }
 
-/// Of an array that names rows of something with `end` rows.
+/// Returns a message if an index of the array is not below `end`, or "".
 template <class Numbers>
 std::string outside(const char* name, const Numbers& numbers, std::size_t end, const char* what) {
     return any_outside(numbers, end) ? fmt::format("{} names a {} that does not exist", name, what) : "";
@@ -56,7 +56,7 @@ std::size_t rows_of(const std::vector<T>& values) {
     return values.size();
 }
 
-/// faces, vertices: numbers of them at rest.
+/// Returns the first fault of a look, or "". faces, vertices: their numbers at rest.
 std::string look_fault(const SurfaceLook& look, std::size_t faces, std::size_t vertices) {
     std::string fault;
     visit_look_arrays(look, [&](const char* name, hdf5::Meaning, const auto& values) {
@@ -99,7 +99,7 @@ std::string length_fault(const Snapshot& s) {
                      {"rest/vertex_weights", rest.vertex_weights.size()}})});
 }
 
-/// Of fields of faces, of which a frame may have none.
+/// Returns a message if a field of faces, where a frame has it, is not as long as the faces, or "".
 std::string field_fault(const Snapshot& s) {
     std::string fault;
     visit_fields(s.fields, [&](const char* name, const Eigen::Matrix3Xd& values, const FieldMeaning&) {
@@ -132,7 +132,8 @@ bool are_shares(const auto& weights) {
            std::abs(weights[0] + weights[1] + weights[2] - 1) <= weight_tolerance;
 }
 
-/// Of arrays that are long enough and name what exists.
+/// Returns the first fault of the parents and weights, or "". Requires arrays without faults of length and
+/// index.
 std::string ancestry_fault(const Snapshot& s) {
     const RestMesh& rest = s.rest;
     for (std::size_t v = 0; v < rest.vertex_weights.size(); ++v)

@@ -9,15 +9,15 @@
 #include "fracture/snapshot.h"
 #include "fracture/step_report.h"
 
-/// These lists say where each member of a snapshot, a step report and a crack event stands in a recording,
-/// with its unit. Writer and reader both walk them, so they cannot disagree.
+/// Layout of a recording: the name and the unit of each member of a snapshot, a step report and a crack
+/// event. Writer and reader share these lists, so they cannot disagree.
 namespace sherd::recording_format {
 
 inline constexpr const char* format = "sherd recording";
-/// What the names of principal values of a field end with.
+/// Suffix of the names of a field's principal values.
 inline constexpr const char* principal_suffix = "_principal";
 inline constexpr std::int64_t version = 4;
-/// The oldest version that can be read: it knows no faces that change. Version 3 knows no tips.
+/// Oldest version that can be read: its mesh at rest does not change. Version 3 lacks crack tips.
 inline constexpr std::int64_t oldest_version = 2;
 
 /// Calls visit(dataset name, meaning, array) for every array of a frame.
@@ -40,8 +40,8 @@ void visit_arrays(S& snapshot, Visit visit) {
     visit("edge/strain", {"1/m", "hinge strain, signed; 0 where there is no hinge"}, snapshot.edge_strain);
 }
 
-/// Calls visit(dataset name, meaning, array, whether a third component is 01 twice) for every field of faces,
-/// also those that a frame does not have.
+/// Calls visit(dataset name, meaning, array, whether the third component is 2 * 01) for every field of faces,
+/// also for those that a frame does not have.
 template <class F, class Visit>
 void visit_field_arrays(F& fields, Visit visit) {
     visit_fields(fields, [&](const char* name, auto& values, const FieldMeaning& meaning) {
@@ -62,14 +62,14 @@ void visit_rest_arrays(R& rest, Visit visit) {
     visit("face_parent", {"1", "face of the unbroken mesh (/rest) that it is a part of"}, rest.face_parent);
 }
 
-/// What has RestMesh::face_mixed, in the group of a mesh at rest where there are any.
+/// Name of RestMesh::face_mixed in the group of a mesh at rest; absent if empty.
 inline constexpr const char* mixed_faces = "face_mixed";
 
-/// What has RecordingHeader::rest_axis, in the group of the unbroken mesh where there is any.
+/// Name of RecordingHeader::rest_axis in the group of the unfractured mesh; absent if empty.
 inline constexpr const char* material_axis = "axis";
 
-/// Calls visit(name, meaning, array) for each array of SurfaceLook, in the group of a mesh at rest. Those
-/// that are empty are not there.
+/// Calls visit(name, meaning, array) for each array of SurfaceLook, in the group of a mesh at rest. Empty
+/// arrays are not stored.
 template <class Look, class Visit>
 void visit_look_arrays(Look& look, Visit visit) {
     visit("texture", hdf5::Meaning{"1", "texture coordinates u0 v0 u1 v1 u2 v2 of the corners"},
@@ -80,16 +80,16 @@ void visit_look_arrays(Look& look, Visit visit) {
     visit("vertex_colour", hdf5::Meaning{"1", "red, green, blue, opacity"}, look.vertex_colour);
 }
 
-/// What have names and definitions of SurfaceLook::materials, and SurfaceLook::groups, each a text of lines,
-/// if there are any.
+/// Names of the lists of SurfaceLook::materials (names and definitions) and SurfaceLook::groups, whose
+/// entries are texts of several lines; absent if empty.
 inline constexpr const char *material_names = "surface_material_names",
                             *material_definitions = "surface_material_definitions",
                             *group_names = "group_names";
 
-/// What has Snapshot::edge_held, in frames in which an edge opens gradually.
+/// Name of Snapshot::edge_held, in frames in which an edge opens gradually.
 inline constexpr const char* held_edges = "edge/held";
 
-/// A table with a row for each `Row`: its group, the version of the format since which there is one, and
+/// A table with a row for each `Row`: its group, the first version of the format that has it, and
 /// visit(column name, meaning, member) for every column.
 template <class Row>
 struct Table;
@@ -98,8 +98,7 @@ template <>
 struct Table<StepReport> {
     static constexpr const char* group = "steps";
     static constexpr std::int64_t since = 2;
-    /// Recordings of before there were statics, a balance of energy, what overlaps at the start, two schemes
-    /// in one run, or yield stresses lack it.
+    /// Whether recordings of older versions may lack the column.
     static constexpr bool may_lack(std::string_view name) {
         return name == "load" || name == "residual" || name == "unexplained" || name == "exempt_pairs" ||
                name == "is_explicit" || name == "urgency" || name == "peak_yield" ||
@@ -118,7 +117,7 @@ struct Table<StepReport> {
         visit("gravity", {"J", "potential energy, zero at the origin"}, &R::gravity);
         visit("contact", {"J"}, &R::contact);
         visit("residual", {"J", "of the residual stress of tempered sheets"}, &R::residual);
-        // These are sums since the start of the run.
+        // Sums since the start of the run.
         const auto since_start = [&](const char* name, const char* meaning, double R::*part) {
             visit(name, hdf5::Meaning{"J", meaning}, part);
         };
@@ -177,7 +176,7 @@ struct Table<StepReport> {
     }
 };
 
-/// Beside Table<StepReport>, one for each support.
+/// Table beside Table<StepReport>, one for each support.
 template <>
 struct Table<Reaction> {
     template <class Visit>
@@ -188,10 +187,10 @@ struct Table<Reaction> {
     }
 };
 
-/// Beside Table<StepReport>, one for each gauge.
+/// Table beside Table<StepReport>, one for each gauge.
 template <>
 struct Table<GaugeReading> {
-    static constexpr bool may_lack(std::string_view) { return true; }  ///< only those that is_recorded()
+    static constexpr bool may_lack(std::string_view) { return true; }  ///< unless is_recorded()
     template <class Visit>
     static void visit(Visit visit) {
         using R = GaugeReading;
@@ -332,14 +331,14 @@ struct Table<TipRecord> {
     }
 };
 
-/// The groups of the tables beside Table<StepReport>, which have a row for each step, too.
+/// Groups of the tables beside Table<StepReport>, which have a row for each step, too.
 inline constexpr const char *reaction_group = "steps/reaction", *gauge_group = "gauges";
 
-/// The group of natural modes, in recordings of these.
+/// Group of natural modes, in recordings of modes.
 inline constexpr const char* mode_group = "modes";
 
-/// Calls visit(member of StepReport, group) for each kind of them: a list with an entry for each table of the
-/// group, in the order of their attribute `number`.
+/// Calls visit(member of StepReport, group) for each of its lists of rows: a list has an entry for each table
+/// of the group, in the order of their attribute `number`.
 template <class Visit>
 void visit_lists(Visit visit) {
     visit(&StepReport::reactions, reaction_group);
@@ -362,14 +361,14 @@ std::string member_name(std::string name);
 /// Returns the name of the group of a frame.
 std::string frame_group(std::size_t number);
 
-/// What has RecordedObstacle::plane; recordings of before planes were in them lack it.
+/// Name of RecordedObstacle::plane, which older recordings lack.
 inline constexpr const char* obstacle_planes = "obstacles/plane";
-/// What has RecordedObstacle::deforms; without it none does.
+/// Name of RecordedObstacle::deforms; absent if no obstacle deforms.
 inline constexpr const char* obstacle_deforms = "obstacles/deforms";
 
 /// Returns the name of the group of an obstacle's surface.
 std::string obstacle_group(std::size_t number);
-/// Returns the names of its points and its triangles there.
+/// Returns the paths of an obstacle's points and triangles.
 std::string obstacle_points(std::size_t number);
 std::string obstacle_points(std::size_t frame,
                             std::size_t number);  ///< in a frame, if it has moved or deforms
@@ -378,15 +377,15 @@ std::string obstacle_faces(std::size_t number);
 /// An obstacle's pose as it is stored: the three rows of rotation | translation.
 using StoredPose = std::array<double, 12>;
 
-/// Makes the unbroken mesh of a header.
+/// Returns the unfractured mesh of a header.
 RestMesh unbroken_mesh(const RecordingHeader& header);
 
-/// Says what is wrong with the array lengths and indices of a snapshot of a run whose unbroken mesh has so
-/// many vertices; it is empty when nothing is.
+/// Returns the first fault of the array lengths and indices of a snapshot, or "". unbroken_vertices: number
+/// of vertices of the run's unfractured mesh.
 std::string inconsistency(const Snapshot& snapshot, std::size_t unbroken_vertices);
-/// Says the same of the mesh at rest.
+/// Returns the first fault of the mesh at rest, or "".
 std::string inconsistency(const RecordingHeader& header);
-/// Says the same of an obstacle's surface.
+/// Returns the first fault of an obstacle's surface, or "".
 std::string inconsistency(const RecordedObstacle& obstacle);
 
 }  // namespace sherd::recording_format

@@ -32,7 +32,7 @@ void read_array(hid_t where, const std::string& name, std::vector<T>& values) {
     values = hdf5::read<T>(where, name);
 }
 
-/// Of each obstacle; none is set in recordings of before there were such.
+/// Returns the flag of each obstacle; zeros if an older recording lacks the dataset.
 std::vector<std::uint8_t> flags(hid_t file, const char* name, std::size_t obstacles) {
     if (!hdf5::contains(file, name)) return std::vector<std::uint8_t>(obstacles, 0);
     std::vector<std::uint8_t> flags = hdf5::read<std::uint8_t>(file, name);
@@ -48,7 +48,7 @@ std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
-/// Of the group `rest` below `where`.
+/// Reads the look in the group `rest` below `where`.
 void read_look(hid_t where, SurfaceLook& look) {
     const auto in_rest = [](const char* name) { return std::string("rest/") + name; };
     visit_look_arrays(look, [&](const char* name, hdf5::Meaning, auto& values) {
@@ -83,7 +83,7 @@ RestMesh read_unbroken_mesh(hid_t file) {
     return unbroken_mesh(header);
 }
 
-/// Of a frame's group.
+/// Reads the mesh at rest of a frame.
 RestMesh read_rest(hid_t file, hid_t frame) {
     RestMesh rest;
     visit_rest_arrays(rest, [&](const char* name, hdf5::Meaning, auto& values) {
@@ -99,7 +99,7 @@ RestMesh read_rest(hid_t file, hid_t frame) {
     return rest;
 }
 
-/// What is recorded of a gauge.
+/// Reads which readings of a gauge are recorded, and the axes of its fields.
 void read_choice(hid_t group, RecordedGauge& gauge) {
     gauge.displacement = hdf5::contains(group, "displacement");
     gauge.fields = {.stress = hdf5::contains(group, "stress_top"),
@@ -111,7 +111,7 @@ void read_choice(hid_t group, RecordedGauge& gauge) {
     gauge.axes << axes[0], axes[1];
 }
 
-/// Those that a frame's group has.
+/// Reads the fields that a frame has.
 FaceFields read_fields(hid_t frame) {
     FaceFields fields;
     visit_field_arrays(fields, [&](const std::string& name, hdf5::Meaning, Eigen::Matrix3Xd& values, bool) {
@@ -302,7 +302,7 @@ std::vector<StepReport> Recording::steps() const {
         visit_lists([&]<class Row>(std::vector<Row> StepReport::*list, const std::string& group) {
             for (const std::string& path : numbered_groups(opened, group)) {
                 const std::vector<Row> rows = read_table<Row>(opened, path);
-                // What has not been written in full yet is left out of all tables.
+                // Steps that are not in all tables yet are left out.
                 steps.resize(std::min(steps.size(), rows.size()));
                 for (std::size_t i = 0; i < steps.size(); ++i) (steps[i].*list).push_back(rows[i]);
             }

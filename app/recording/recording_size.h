@@ -8,11 +8,11 @@ namespace sherd {
 /// Elements of a mesh.
 struct MeshSize {
     double vertices = 0, faces = 0, edges = 0;
-    double moving_points = 0;  ///< of the surfaces of obstacles and bodies that move
+    double moving_points = 0;  ///< points of moving obstacles and bodies
 };
 
-/// Returns about how many bytes a recording takes, without cracks. columns: numbers of
-/// reactions and gauges in a step.
+/// Returns the estimated size of a recording without cracks, bytes. columns: number of reactions and gauges
+/// in a step.
 double recording_size(const MeshSize& mesh, double frames, double steps, double columns,
                       const FaceFieldChoice& fields = {});
 

@@ -6,11 +6,11 @@
 #include "app/recording/recording_format.h"
 #include "meshops/error.h"
 
-/// Here rows of plain structs are columns of a recording, one dataset a member.
+/// Tables of a recording: rows are plain structs, and each member is a column, a dataset.
 namespace sherd::recording_format {
 
-/// The member type of a column as it is stored (HDF5 has no bool that all readers know, and enumerations are
-/// numbers).
+/// Stored type of a member: bools and enumerations become numbers, since HDF5 has no bool that all readers
+/// support.
 template <class T>
 using Stored = std::conditional_t<std::same_as<T, bool> || std::is_enum_v<T>, std::uint8_t, T>;
 
@@ -18,7 +18,7 @@ inline std::string column(const std::string& group, const char* name) {
     return fmt::format("{}/{}", group, name);
 }
 
-/// Creates the columns whose names `wanted` takes.
+/// Creates the columns whose names `wanted` accepts.
 template <class Row, class Wanted>
 void create_table(hid_t file, const std::string& group, Wanted wanted) {
     Table<Row>::visit([&]<class T>(const char* name, hdf5::Meaning meaning, T Row::*) {
@@ -31,7 +31,7 @@ void create_table(hid_t file, const std::string& group = Table<Row>::group) {
     create_table<Row>(file, group, [](const char*) { return true; });
 }
 
-/// Calls visit(column name, member) for every column that has to be in the file.
+/// Calls visit(column name, member) for every column that the file must have, or may lack and has.
 template <class Row, class Visit>
 void visit_columns(hid_t file, const std::string& group, Visit visit) {
     Table<Row>::visit([&]<class T>(const char* name, hdf5::Meaning, T Row::*member) {
@@ -62,7 +62,7 @@ std::size_t table_rows(hid_t file, const std::string& group = Table<Row>::group)
     return rows;
 }
 
-/// Members whose column is lacking keep their default.
+/// Reads a table; members whose column is missing keep their default.
 template <class Row>
 std::vector<Row> read_table(hid_t file, const std::string& group = Table<Row>::group) {
     std::vector<Row> rows(table_rows<Row>(file, group));
@@ -73,7 +73,7 @@ std::vector<Row> read_table(hid_t file, const std::string& group = Table<Row>::g
     return rows;
 }
 
-/// Forgets all but the first `rows` rows.
+/// Truncates a table to its first `rows` rows.
 template <class Row>
 void shorten_table(hid_t file, std::size_t rows, const std::string& group = Table<Row>::group) {
     Table<Row>::visit([&]<class T>(const char* name, hdf5::Meaning, T Row::*) {

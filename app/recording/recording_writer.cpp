@@ -31,7 +31,7 @@ std::filesystem::path index_of(const std::filesystem::path& file) {
     return index;
 }
 
-/// A row for each column of the matrix.
+/// Writes a row for each column of the matrix.
 template <int N>
 void write_array(hid_t where, const std::string& name, const hdf5::Meaning& meaning,
                  const Eigen::Matrix<double, N, Eigen::Dynamic>& values) {
@@ -127,7 +127,7 @@ void write_head(hid_t file, const RecordingHeader& header) {
     for (const RecordedGauge& gauge : header.gauges) write_gauge(file, gauge);
 }
 
-/// The axes of each face where it is, one after the other.
+/// Returns the two frame axes of each face in its current position, [6, F].
 Eigen::Matrix<double, 6, Eigen::Dynamic> axes_of_faces(const Snapshot& snapshot) {
     Eigen::Matrix<double, 6, Eigen::Dynamic> axes(6, static_cast<Eigen::Index>(snapshot.faces.size()));
     for (std::size_t f = 0; f < snapshot.faces.size(); ++f)
@@ -154,7 +154,7 @@ void write_fields(hid_t group, const Snapshot& snapshot) {
         axes_of_faces(snapshot));
 }
 
-/// same_rest: the path of a mesh at rest that is this frame's, too; empty: there is none.
+/// same_rest: path of an earlier mesh at rest that equals this frame's; empty: none.
 void write_frame(hid_t file, std::size_t number, const Snapshot& snapshot, const std::string& same_rest) {
     const hdf5::Handle group = hdf5::create_group(file, frame_group(number));
     hdf5::write_attribute(group, "time", snapshot.time);
@@ -244,12 +244,13 @@ XdmfFrame index_entry(const Snapshot& snapshot, const ObstaclePlaces& places) {
     return entry;
 }
 
-/// The index is written as a whole: with every frame, long runs would do nothing else.
+/// Whether the index is to be renewed. It is written as a whole: renewals with every frame would dominate
+/// long runs.
 bool index_is_due(std::size_t frames, std::size_t indexed) {
     return frames >= indexed + std::max<std::size_t>(1, indexed / 100);
 }
 
-/// Makes a recording of no frames, and returns its name. rows: gets those of its tables.
+/// Creates a recording without frames, and returns its path. rows: receives the number of rows of each table.
 const std::filesystem::path& create(const RecordingOutput& output, const RecordingHeader& header,
                                     std::span<const RecordedObstacle> obstacles,
                                     std::vector<std::size_t>& rows) {
@@ -259,7 +260,7 @@ const std::filesystem::path& create(const RecordingOutput& output, const Recordi
         write_obstacles(created, obstacles);
         rows = extent(created);
     });
-    remove_journal(output.recording.output());  // of what it replaces
+    remove_journal(output.recording.output());  // journal of the file that is replaced
     pending.publish(output.force);
     std::error_code ignored;
     std::filesystem::remove(output.index.output(), ignored);
@@ -321,7 +322,7 @@ void RecordingWriter::record(const Snapshot& snapshot, std::span<const StepRepor
     const std::size_t number = frames.size() - 1;
     const bool new_rest = !same_bits(snapshot.rest, rest);
     std::vector<std::size_t> longer_rows;
-    // What needs space comes before the recording is changed; what follows is only a change of name.
+    // The index is written before the recording changes, since it needs space; publishing it only renames it.
     std::optional<PendingFile> index;
     if (index_is_due(frames.size(), indexed)) write_index(index.emplace(output.index, Fault::run));
     hdf5::change(recording, [&](hid_t opened) {
@@ -380,7 +381,8 @@ void RecordingWriter::go_on(const std::string& scene_text) try {
 void RecordingWriter::finish(double wall_seconds, const std::string& end) {
     PendingFile index(output.index, Fault::run);
     write_index(index);
-    // Before the recording says that it is complete: from then on nobody comes back to its index.
+    // The index is published before the recording is marked as complete: a complete run is not resumed, so
+    // nothing would renew its index.
     index.publish(true);
     indexed = frames.size();
     hdf5::change(recording, [&](hid_t opened) {

@@ -21,10 +21,10 @@ constexpr const char* integers = "NumberType=\"Int\" Precision=\"4\"";
 constexpr const char* triangles = "TopologyType=\"Triangle\"";
 constexpr const char* bytes = "NumberType=\"UChar\" Precision=\"1\"";
 
-/// One frame of one collection, written line by line.
+/// A frame of a collection, written line by line.
 class Grid {
   public:
-    /// `source` is what its datasets are named below, as XDMF names it.
+    /// source: prefix of the names of its datasets, by path_in().
     Grid(std::ostream& out, const std::string& name, const std::string& source) : out(out), source(source) {
         add("<Grid Name=\"{}\">\n", name);
     }
@@ -93,7 +93,8 @@ void add_edges(Grid grid, const XdmfFrame& frame) {
     grid.end();
 }
 
-/// Without the domain FILE the reader would look for one before the first colon of the file's name.
+/// XDMF's path of a group. Without the domain FILE the reader would look for one before the first colon of
+/// the file's name.
 std::string path_in(const std::string& source, const std::string& group) {
     return fmt::format("FILE:{}:/{}", source, group);
 }
@@ -114,8 +115,8 @@ void add_collection(std::ostream& out, const char* name, const std::string& sour
     out << "</Grid>\n";
 }
 
-/// The i-th obstacle, which is the same grid at all times where its points are the same dataset in all
-/// frames.
+/// Writes the i-th obstacle: a single grid without time if its points are the same dataset in all frames,
+/// else a collection.
 void add_obstacle(std::ostream& out, const XdmfObstacle& obstacle, std::size_t i, const std::string& source,
                   std::span<const XdmfFrame> frames) {
     const auto add = [&](const std::string& name, const XdmfFrame& frame, bool at_its_time) {

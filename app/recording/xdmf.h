@@ -10,12 +10,12 @@
 
 namespace sherd {
 
-/// Holds what the index says of a frame of a recording.
+/// Entry of the index for a frame of a recording.
 struct XdmfFrame {
     double time = 0;  ///< s
     std::size_t vertices = 0, faces = 0, edges = 0;
-    std::vector<std::string> obstacles = {};  ///< path of the dataset with the points of each
-    std::vector<std::string> fields = {};     ///< names of its fields of faces
+    std::vector<std::string> obstacles = {};  ///< path of the dataset with each obstacle's points
+    std::vector<std::string> fields = {};     ///< names of its face fields
 
     void visit_state(StateVisitor& visit) {
         auto& [time, vertices, faces, edges, obstacles, fields] = *this;
@@ -23,17 +23,17 @@ struct XdmfFrame {
     }
 };
 
-/// Holds what the index says of an obstacle.
+/// Entry of the index for an obstacle.
 struct XdmfObstacle {
     std::string name;
     std::size_t points = 0, triangles = 0;
 };
 
-/// Writes the text of an .xdmf file (XDMF 2, for ParaView's XDMFReader). It shows the frames of the
-/// recording `recording_name`, a file name without folder, as two collections in time, whose topology may
-/// change from frame to frame: `surface` (triangles: fragment, sheet, fields and their principal values;
-/// vertices: speed, velocity) and `edges` (lines: state, strain). Each obstacle is another one, or a grid
-/// without time where it rests: `obstacle NAME`.
+/// Writes the text of an .xdmf file (XDMF 2, for ParaView's XDMFReader). It shows the frames of the recording
+/// `recording_name`, a file name without folder, as two collections in time, whose topology may change from
+/// frame to frame: `surface` (triangles: fragment, sheet, fields and their principal values; vertices: speed,
+/// velocity) and `edges` (lines: state, strain). Each obstacle is a further collection, or a grid without
+/// time if it does not move: `obstacle NAME`.
 void write_xdmf(std::ostream& out, const std::string& recording_name, std::span<const XdmfFrame> frames,
                 std::span<const XdmfObstacle> obstacles);
 

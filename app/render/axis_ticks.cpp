@@ -25,7 +25,7 @@ UnitPrefix prefixed(const std::string& unit, double largest) {
 }
 
 std::string tick_words(double tick) {
-    // Round numbers but for the last bit.
+    // Ticks are round numbers except for the last bit.
     return fmt::format("{:.6g}", std::abs(tick) < 1e-300 ? 0.0 : tick);
 }
 

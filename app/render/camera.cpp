@@ -18,15 +18,15 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double most_zoom = 1e6, farthest = 1e12;  // beyond, rays have no digits left
-constexpr double margin = 1.08;  // ratio of the picture's size to that of what must be in it
+constexpr double most_zoom = 1e6, farthest = 1e12;  // rays lose all digits beyond these
+constexpr double margin = 1.08;                     // ratio of the picture's size to that of the boxes in it
 
 void check_angle(const std::string& text, double angle) {
     if (angle < 1 || angle > 120)
         throw Error(fmt::format("--camera {}: the angle of view must be 1 to 120 degrees", text));
 }
 
-/// From the action to the eye.
+/// Direction from the scene to the eye.
 Vector3d direction_of(const CameraChoice& choice, const Vector3d& up) {
     const Vector3d side = std::abs(up.x()) < 0.9 ? Vector3d::UnitX() : Vector3d::UnitY();
     const Vector3d front = side.cross(up).normalized(), right = up.cross(front);
@@ -35,8 +35,9 @@ Vector3d direction_of(const CameraChoice& choice, const Vector3d& up) {
            std::sin(elevation) * up;
 }
 
-/// Where the lines of sight from the corners along one of the picture's axes meet: half of what they span at
-/// the distance 0, and the middle. slope: tangent of half the angle of view.
+/// Interval in which the outermost lines of sight through the corners meet the plane through the centre,
+/// along one of the picture's axes: half its length, and its middle. slope: tangent of half the angle of
+/// view.
 struct Span {
     double half, middle;
 };
@@ -56,7 +57,7 @@ Vector3d centre_of(std::span<const Eigen::AlignedBox3d> boxes) {
     return all.center();
 }
 
-/// Seen from the centre.
+/// Corners of the boxes relative to the centre.
 std::vector<Vector3d> corners_of(std::span<const Eigen::AlignedBox3d> boxes, const Vector3d& centre) {
     std::vector<Vector3d> corners;
     for (const Eigen::AlignedBox3d& box : boxes)

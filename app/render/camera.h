@@ -14,30 +14,30 @@ struct Camera {
     double view_angle = 28;  ///< degrees, over the picture's height
 };
 
-/// Three perpendicular unit vectors: the directions of the picture's right and top side, and that in which a
-/// camera looks.
+/// Three perpendicular unit vectors: the directions of the picture's right and top side, and the direction of
+/// view.
 struct CameraAxes {
     Eigen::Vector3d right, top, forward;
 };
 
 CameraAxes camera_axes(const Camera& camera);
 
-/// Where a camera stands, as the command line gives it: by the direction from which it looks at the action,
-/// or by its place.
+/// Position of a camera, as the command line gives it: by the direction from which it looks at the scene, or
+/// by coordinates.
 struct CameraChoice {
     double azimuth = 20;    ///< degrees, from the front to the right, about the direction that is up
     double elevation = 28;  ///< degrees above the horizon
-    double zoom = 1;        ///< 2: everything is twice as large as when it just fits
+    double zoom = 1;        ///< 2: everything is twice as large as when it just fits into the picture
     std::optional<Eigen::Vector3d> eye = {}, target = {};  ///< m; both or none
     double view_angle = 28;                                ///< degrees
 };
 
 /// Reads `AZIMUTH,ELEVATION[,ZOOM]` or `X,Y,Z,X,Y,Z[,ANGLE]`: eye, target, angle of view over the height.
-/// Throws Error (input) when it is neither, or out of range.
+/// Throws Error (input) if the text is neither, or out of range.
 CameraChoice parse_camera(const std::string& text);
 
-/// A camera that has all of the boxes in the picture. up: a unit vector; what is in front is -y when up is z.
-/// aspect: width over height of the picture.
+/// Returns a camera with all boxes in the picture. up: a unit vector; the front is at -y if up is z. aspect:
+/// width over height of the picture.
 Camera place_camera(const CameraChoice& choice, std::span<const Eigen::AlignedBox3d> boxes,
                     const Eigen::Vector3d& up, double aspect);
 

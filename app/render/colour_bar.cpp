@@ -17,27 +17,28 @@ namespace {
 
 using Eigen::Vector3f;
 
-// Shares of the picture's smaller side, as far as letters do not get smaller than can be read.
+// Sizes as shares of the picture's smaller side, unless letters would be too small to read.
 constexpr double letter_share = 0.026, bar_share = 0.4;
 constexpr double smallest_letter = 11;  // pixels
-constexpr int smallest_side = 220;      // pixels, of a picture with room for a bar
-// Of the bar's length: words at the ends and at ticks nearer than that would touch each other.
+constexpr int smallest_side = 220;      // pixels, smaller side of a picture with a bar
+// Smallest distance of a tick from the ends, as a share of the bar's length: texts at a smaller one would
+// touch.
 constexpr double end_gap = 0.11;
 const Vector3f ink(0.08f, 0.08f, 0.09f), paper(1, 1, 1);
 
-/// Rounded to so many digits.
+/// Rounds a value to so many digits.
 double rounded(double value, int digits) {
     if (value == 0 || !std::isfinite(value)) return value;
     const double power = std::pow(10, digits - 1 - std::floor(std::log10(std::abs(value))));
     return std::round(value * power) / power;
 }
 
-/// How much of the pixel from i to i + 1 lies between low and high.
+/// Share of the pixel from i to i + 1 that lies between low and high.
 float covered(int i, double low, double high) {
     return static_cast<float>(std::max(0.0, std::min<double>(i + 1, high) - std::max<double>(i, low)));
 }
 
-/// Mixes a colour into a rectangle, whose sides need not be between pixels.
+/// Mixes a colour into a rectangle, whose sides may lie inside pixels.
 void fill(Image& image, double left, double top, double right, double bottom, const Vector3f& colour,
           float opacity = 1) {
     const int first_row = std::max(0, static_cast<int>(std::floor(top))),
@@ -68,7 +69,8 @@ PixelBox panel(Image& image, double left, double top, double right, double botto
     return box;
 }
 
-/// The tip of a bar that goes on: as wide as the bar at the row `base`, a point at the row `tip`.
+/// Draws the tip of a bar with values beyond its end: as wide as the bar at the row `base`, a point at the
+/// row `tip`.
 void draw_tip(Image& image, double left, double right, double base, double tip, const Vector3f& colour) {
     for (double row = std::min(base, tip); row < std::max(base, tip); ++row) {
         const double inset = (right - left) / 2 * (row + 0.5 - base) / (tip - base);
@@ -76,9 +78,9 @@ void draw_tip(Image& image, double left, double right, double base, double tip, 
     }
 }
 
-/// Where the parts of a bar are, in pixels.
+/// Places of the parts of a bar, in pixels.
 struct BarPlace {
-    double left, right, top, bottom;  ///< of its colours
+    double left, right, top, bottom;  ///< rectangle of its colours
     double tip, stroke;               ///< height of its tips, width of lines
 };
 

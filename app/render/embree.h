@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Embree 4 or 3, whose calls for rays differ: all that depends on the version is in here.
+// Embree 4 or 3, whose calls for rays differ: no other file depends on the version.
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>
 #else
@@ -10,7 +10,7 @@
 
 namespace sherd {
 
-/// Nearest hits of eight rays that are much alike; `valid`: -1 for each ray that counts, 0 for the others.
+/// Finds the nearest hits of eight coherent rays; `valid`: -1 for each ray that counts, 0 for the others.
 inline void find_nearest(const int* valid, RTCScene scene, RTCRayHit8& rays) {
 #if RTC_VERSION_MAJOR >= 4
     RTCIntersectArguments arguments;
@@ -25,7 +25,7 @@ inline void find_nearest(const int* valid, RTCScene scene, RTCRayHit8& rays) {
 #endif
 }
 
-/// Makes `tfar` negative where something is in a ray's way.
+/// Makes `tfar` of each occluded ray negative.
 inline void find_occluded(const int* valid, RTCScene scene, RTCRay8& rays) {
 #if RTC_VERSION_MAJOR >= 4
     rtcOccluded8(valid, scene, &rays);

@@ -9,16 +9,16 @@
 namespace sherd {
 namespace {
 
-constexpr double kept_share = 0.95;  // of a sheet's area, at least
-constexpr double nearness = 1.5;     // a piece that is hardly farther out than these is no stray
+constexpr double kept_share = 0.95;  // smallest share of a sheet's area without outliers
+constexpr double nearness = 1.5;     // fragments within this multiple of the kept reach are no outliers
 
 struct Piece {
     Eigen::AlignedBox3d box;
     double area = 0;
-    double reach = 0;  ///< m, of its farthest corner from the middle of the sheet
+    double reach = 0;  ///< m, distance of its farthest corner from the middle of the sheet
 };
 
-/// The pieces of each sheet, by number of sheet and fragment.
+/// Fragments of each sheet, by the sheet's number.
 std::map<Index, std::vector<Piece>> pieces_of(const Snapshot& frame) {
     std::map<std::pair<Index, Index>, Piece> pieces;
     for (std::size_t f = 0; f < frame.faces.size(); ++f) {
@@ -39,12 +39,13 @@ double area_of(std::span<const Piece> pieces) {
     return area;
 }
 
-/// The value at which half of the area lies below, in each direction: far pieces do not pull at it.
+/// Median of the fragments' centres in each direction, weighted by area: few distant fragments do not change
+/// it.
 Vector3d middle_of(std::span<const Piece> pieces) {
     const double half = area_of(pieces) / 2;
     Vector3d middle;
     for (int axis = 0; axis < 3; ++axis) {
-        std::vector<std::pair<double, double>> places;  // with areas
+        std::vector<std::pair<double, double>> places;  // coordinates and areas
         for (const Piece& piece : pieces) places.emplace_back(piece.box.center()[axis], piece.area);
         std::ranges::sort(places);
         double below = 0;
@@ -56,7 +57,7 @@ Vector3d middle_of(std::span<const Piece> pieces) {
     return middle;
 }
 
-/// The distance from the middle within which pieces are no strays.
+/// Distance from the middle within which fragments are no outliers.
 double focus_radius(std::vector<Piece> pieces) {
     std::ranges::sort(pieces, {}, [](const Piece& piece) { return piece.reach; });
     const double enough = kept_share * area_of(pieces);

@@ -5,7 +5,7 @@
 
 namespace sherd {
 
-/// The bytes of DejaVu Sans, a TrueType font, which the build puts into the program.
+/// Bytes of DejaVu Sans, a TrueType font, which the build embeds in the program.
 extern const std::string_view font_asset;
 
 }  // namespace sherd

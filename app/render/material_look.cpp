@@ -12,7 +12,7 @@
 namespace sherd {
 namespace {
 
-/// The numbers at the start of a statement; other words, as of a spectral curve, end them.
+/// Returns the numbers at the start of a statement; other words, as of a spectral curve, end them.
 std::vector<float> numbers(const SurfaceMaterial& material, const std::string& keyword) {
     std::istringstream words(statement(material, keyword));
     words.imbue(std::locale::classic());
@@ -26,7 +26,7 @@ std::optional<float> number(const SurfaceMaterial& material, const std::string& 
     return values.empty() ? std::nullopt : std::optional(values.front());
 }
 
-/// One number is a grey.
+/// Returns the colour in a statement. A single number is a grey.
 Eigen::Vector3f colour(const SurfaceMaterial& material, const std::string& keyword,
                        const Eigen::Vector3f& otherwise) {
     const std::vector<float> values = numbers(material, keyword);

@@ -8,8 +8,8 @@
 
 namespace sherd {
 
-/// What a picture of a material needs of its definition in .mtl. Numbers in .mtl are taken for linear light,
-/// as Blender takes them.
+/// Properties of a material that a picture shows, from its definition in .mtl. Numbers in .mtl are taken for
+/// linear light, as Blender takes them.
 struct MaterialLook {
     Eigen::Vector3f colour = Eigen::Vector3f::Constant(0.8f);  ///< `Kd`: albedo, linear light
     float opacity = 1;                                         ///< `d`, or 1 less `Tr`
@@ -18,7 +18,7 @@ struct MaterialLook {
     std::filesystem::path picture;  ///< `map_Kd`, instead of the colour; empty: none
 };
 
-/// What the definition does not say, or not in numbers, is as above.
+/// Reads the definition of a material; values that it lacks, or that are no numbers, keep their defaults.
 MaterialLook material_look(const SurfaceMaterial& material);
 
 }  // namespace sherd

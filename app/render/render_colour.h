@@ -10,35 +10,36 @@
 
 namespace sherd {
 
-/// What the colours of a picture tell.
+/// Quantity that the colours of a picture show.
 enum class RenderColour { fragment, strain, speed, stress, curvature, axis, tips, material, none };
 
-/// Whether it shows numbers, by a colour map.
+/// Whether the colours show a scalar, by a colour map.
 bool is_scalar(RenderColour colour);
 
-/// Names that a command takes, in words: "strain, speed, stress or curvature".
+/// Names of colourings as text: "strain, speed, stress or curvature".
 std::string colour_names(std::span<const RenderColour> colours);
 
-/// Throws Error (input), with the names of `colours`, when `name` is none of them.
+/// Returns the colouring of this name. Throws Error (input), with the names of `colours`, if `name` is none
+/// of them.
 RenderColour parse_render_colour(const std::string& name, std::span<const RenderColour> colours);
 
 inline constexpr std::array render_colours{
     RenderColour::fragment, RenderColour::strain,    RenderColour::speed,
     RenderColour::stress,   RenderColour::curvature, RenderColour::axis,
     RenderColour::tips,     RenderColour::material,  RenderColour::none};
-/// Those that a page can be asked for: its meshes may be thinned, to which no velocities belong.
+/// Colourings of a page, whose meshes may be thinned and then have no velocities.
 inline constexpr std::array view_colours{RenderColour::strain, RenderColour::stress, RenderColour::curvature,
                                          RenderColour::material};
 inline constexpr std::array scalar_colours{RenderColour::strain, RenderColour::speed, RenderColour::stress,
                                            RenderColour::curvature, RenderColour::tips};
 
-/// A scalar that is drawn by a colour map, and its unit; empty when the colours tell something else.
+/// A scalar that is drawn by a colour map, and its unit; empty for other colourings.
 struct RenderScalar {
     std::string name, unit;
     std::vector<double> values;  ///< [V]
 };
 
-/// strain: mean of |strain| of the unbroken hinges at a vertex (1/m); speed: m/s; means of the faces at a
+/// strain: mean of |strain| of the interior hinges at a vertex (1/m); speed: m/s; means of the faces at a
 /// vertex: stress, the largest principal stress of both surfaces (Pa), curvature, the largest magnitude of a
 /// principal change of curvature (1/m). Throws Error (input) when the frame has no such field.
 RenderScalar render_scalar(const Snapshot& frame, RenderColour colour);
@@ -47,11 +48,11 @@ RenderScalar render_scalar(const Snapshot& frame, RenderColour colour);
 /// apart, and lighter and darker ones from the eighth fragment on.
 std::uint32_t fragment_colour(Index fragment);
 
-/// 0xRRGGBB (sRGB) of the perceptually uniform map viridis (N. Smith, S. van der Walt, 2015) at x, 0 to 1,
-/// cut off.
+/// 0xRRGGBB (sRGB) of the perceptually uniform map viridis (N. Smith, S. van der Walt, 2015) at x, clamped to
+/// 0 to 1.
 std::uint32_t map_colour(double x);
 
-/// The value below which `share` (0 to 1) of the values are; 0 without any.
+/// Value below which `share` (0 to 1) of the values lie; 0 without any.
 double quantile(std::vector<double> values, double share);
 
 }  // namespace sherd

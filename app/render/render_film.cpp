@@ -31,10 +31,10 @@ std::filesystem::path checked(std::filesystem::path file) {
 std::vector<std::string> command_line(const std::filesystem::path& file, double rate) {
     return {"ffmpeg", "-loglevel", "error", "-y", "-f", "image2pipe", "-framerate", fmt::format("{}", rate),
             "-c:v", "png", "-i", "pipe:0", "-c:v", "libx264", "-crf", "16",
-            // H.264 with colours at half the resolution, as all players take it, wants even sizes.
+            // H.264 with colours at half the resolution, which all players support, requires even sizes.
             "-pix_fmt", "yuv420p", "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-movflags", "+faststart", "-f",
             "mp4",
-            // A name that begins with a dash or has a colon is a name all the same.
+            // The prefix allows names that begin with a dash or have a colon.
             "file:" + file.string()};
 }
 
@@ -52,8 +52,8 @@ int spawn(std::vector<std::string> arguments, int input, pid_t& child) {
     return error;
 }
 
-/// Whether the boxes of an MP4 file (ISO 14496-12) end where it ends, with the one that players begin with
-/// among them: ffmpeg says that all went well, too, when the disk was full at the end.
+/// Whether the boxes of an MP4 file (ISO 14496-12) end at its end, and include the one with which players
+/// begin: ffmpeg reports success also if the disk was full at the end.
 bool is_whole(const std::filesystem::path& film) {
     std::ifstream in(film, std::ios::binary);
     const std::uint64_t size = std::filesystem::file_size(film);

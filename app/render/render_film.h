@@ -10,8 +10,8 @@
 
 namespace sherd {
 
-/// A film (.mp4, H.264) that the program ffmpeg makes from pictures, as a child process without a shell.
-/// Under another name until it is complete, and removed if it never is.
+/// A film (.mp4, H.264) that the program ffmpeg makes from pictures, as a child process without a shell. The
+/// file has another name until it is complete, and is removed if it never is.
 class RenderFilm {
   public:
     /// rate: pictures a second. Throws Error (input) when ffmpeg is not installed or the file is no .mp4.
@@ -20,14 +20,14 @@ class RenderFilm {
     RenderFilm(const RenderFilm&) = delete;
     RenderFilm& operator=(const RenderFilm&) = delete;
 
-    /// Adds a picture, the bytes of a PNG file. Throws Error (run) when ffmpeg has given up.
+    /// Adds a picture, the bytes of a PNG file. Throws Error (run) if ffmpeg has ended.
     void add(const std::string& png);
-    /// Ends the film and gives it its name. Throws Error (run) when ffmpeg fails.
+    /// Ends the film and gives the file its name. Throws Error (run) if ffmpeg fails.
     void publish(bool replace);
 
   private:
     void close_pipe();
-    /// ffmpeg's exit code; 128 + signal when a signal ended it.
+    /// Waits for the end of ffmpeg. Returns its exit code; 128 + signal if a signal ended it.
     int wait();
 
     std::filesystem::path file;

@@ -17,7 +17,7 @@ const Vector3f ground_colour(0.58f, 0.575f, 0.565f), lamp_light(1.02f, 0.97f, 0.
     zenith_light(0.52f, 0.56f, 0.63f), horizon_light(0.34f, 0.36f, 0.40f), backdrop(0.52f, 0.53f, 0.545f),
     clay(0.62f, 0.52f, 0.41f), dark_stripe(0.02f, 0.09f, 0.22f);
 
-/// Of sRGB, 0 to 1.
+/// Linear light of an sRGB value, 0 to 1.
 float linear_part(float x) {
     return x <= 0.04045f ? x / 12.92f : std::pow((x + 0.055f) / 1.055f, 2.4f);
 }
@@ -27,7 +27,7 @@ float smooth(float low, float high, float x) {
     return t * t * (3 - 2 * t);
 }
 
-/// As sRGB, 0 to 1, of light from 0 to 1.
+/// sRGB value of linear light, 0 to 1.
 float coded(float x) {
     return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f;
 }
@@ -73,7 +73,7 @@ float weighted(const RenderHit& hit, float RenderVertex::*member) {
            hit.v * vertices[c].*member;
 }
 
-/// Of the picture that the triangle has; none if it has no picture.
+/// Colour of the triangle's picture; none without a picture.
 std::optional<Vector3f> picture_colour(const RenderHit& hit) {
     const RenderMesh& mesh = *hit.mesh;
     if (mesh.picture.empty() || mesh.picture[hit.triangle] < 0) return std::nullopt;
@@ -87,7 +87,7 @@ std::optional<Vector3f> picture_colour(const RenderHit& hit) {
     return colour;
 }
 
-/// The rough, unglazed inside that a crack shows: grains that stay with the matter.
+/// Makes a point rough and unglazed, as on the surface of a crack; its grains move with the material.
 void roughen(LitPoint& point, const RenderHit& hit) {
     constexpr float grain = 6e-4f;  // m
     const Vector3f place = weighted(hit, &RenderVertex::material) / grain;
@@ -102,7 +102,7 @@ void roughen(LitPoint& point, const RenderHit& hit) {
 Studio make_studio(const RenderScene& scene, const Camera& camera) {
     const CameraAxes axes = camera_axes(camera);
     const Vector3f right = axes.right.cast<float>();
-    const Vector3f back = right.cross(scene.up);  // horizontally to the camera's side
+    const Vector3f back = right.cross(scene.up);  // horizontal, towards the camera
     Studio studio;
     studio.up = scene.up;
     studio.lamp = (0.80f * scene.up - 0.55f * right + 0.28f * back).normalized();
@@ -153,7 +153,7 @@ Vector3f lit(const LitPoint& point, const Studio& studio, const Vector3f& seen_f
     const Vector3f lamp = lamp_hidden ? Vector3f::Zero() : Vector3f(facing * lamp_light);
     Vector3f light = point.colour.cwiseProduct(lamp + ambient);
     if (point.gloss > 0) {
-        // Schlick's approximation of Fresnel's reflection, of glaze.
+        // Fresnel's reflection by a glaze, in Schlick's approximation.
         const float grazing = 1 - std::max(0.0f, -seen_from.dot(point.normal));
         const float reflected =
             point.gloss * (0.04f + 0.5f * grazing * grazing * grazing * grazing * grazing);

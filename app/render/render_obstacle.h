@@ -11,8 +11,8 @@ namespace sherd {
 /// sRGB, 0xRRGGBB.
 inline constexpr std::uint32_t obstacle_grey = 0x8c8f93;
 
-/// An obstacle as it is drawn: grey, with sharp edges where its triangles meet at more than some 30 degrees.
-/// pose: from its own frame to space; origin: m, subtracted from all positions.
+/// Mesh of an obstacle: grey, with sharp edges where its triangles meet at more than some 30 degrees. pose:
+/// from its own frame to space; origin: m, subtracted from all positions.
 RenderMesh obstacle_solid(const GridSurface& surface, const Eigen::Isometry3d& pose,
                           const Eigen::Vector3d& origin);
 
@@ -20,7 +20,7 @@ RenderMesh obstacle_solid(const GridSurface& surface, const Eigen::Isometry3d& p
 RenderPlane plane_of(const GridSurface& surface, const Eigen::Isometry3d& pose,
                      const Eigen::Vector3d& origin);
 
-/// m, around its points as they stand in space.
+/// Box around the points of a surface in space, m.
 Eigen::AlignedBox3d box_of(const GridSurface& surface, const Eigen::Isometry3d& pose);
 
 }  // namespace sherd

@@ -17,7 +17,7 @@ namespace {
 using Eigen::Vector2f;
 using Eigen::Vector3f;
 
-/// What the samples of a pixel are spread over.
+/// Purposes of a pixel's samples.
 enum Purpose : std::uint32_t { within_pixel, over_lamp, over_hemisphere };
 
 class Painter {
@@ -62,7 +62,7 @@ RenderRay Painter::camera_ray(int column, int row, const Vector2f& within) const
     return ray;
 }
 
-/// A point of a mesh, of the nearest plane in front of it, or none: all backdrop.
+/// Visible point: of a mesh, of the nearest plane in front of it, or of the backdrop.
 LitPoint Painter::seen(const RenderRay& ray, const RenderHit& hit) const {
     float nearest = hit.distance;
     const RenderPlane* front = nullptr;
@@ -79,7 +79,7 @@ LitPoint Painter::seen(const RenderRay& ray, const RenderHit& hit) const {
 }
 
 RenderRay Painter::secondary(const LitPoint& point, const Vector3f& direction, float reach) const {
-    // Far enough from the surface for round-off, nearer than any sheet's other side.
+    // The ray starts far enough from the surface for round-off, but nearer than the other side of any sheet.
     const float offset = 2e-5f * scene.radius;
     RenderRay ray;
     ray.origin = point.position + offset * point.normal;

@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr double on_edge = 1e-9;  // of places in a face
+constexpr double on_edge = 1e-9;  // tolerance of barycentric coordinates
 
 Vector3d face_normal(const Positions& position, const std::array<Index, 3>& face) {
     const Vector3d a = position.col(face[0]);
@@ -37,8 +37,8 @@ Positions vertex_normals(const Positions& position, std::span<const std::array<I
     return normals;
 }
 
-/// How far the vertices move out [V], m: farther at folds, so that the faces come to lie half the thickness
-/// out.
+/// Distance by which the vertices move outward [V], m: larger at folds, so that the faces lie half the
+/// thickness outside.
 VectorXd vertex_offsets(const Positions& normals, const Snapshot& frame, std::span<const double> thickness) {
     constexpr double least_cosine = 0.5;  // no spikes on sharp folds
     VectorXd cosine = VectorXd::Ones(normals.cols()), offset = VectorXd::Zero(normals.cols());
@@ -47,7 +47,7 @@ VectorXd vertex_offsets(const Positions& normals, const Snapshot& frame, std::sp
         const Vector3d normal = face_normal(frame.position, frame.faces[f]);
         for (const Index v : frame.faces[f]) {
             cosine[v] = std::min(cosine[v], std::max(least_cosine, normal.dot(normals.col(v))));
-            offset[v] += (thickness[f] / 2 - offset[v]) / ++met[v];  // the mean of the faces around it
+            offset[v] += (thickness[f] / 2 - offset[v]) / ++met[v];  // mean of the faces around the vertex
         }
     }
     return offset.cwiseQuotient(cosine);
@@ -113,13 +113,14 @@ RenderVertex SolidBuilder::corner(std::size_t f, int k, double side) const {
     return corner;
 }
 
-/// Sides that broke show no picture.
+/// Adds a triangle; broken sides show no picture.
 void SolidBuilder::add_triangle(const std::array<std::uint32_t, 3>& corners, std::size_t f, bool broken) {
     mesh.triangles.push_back(corners);
     if (!paint.picture.empty()) mesh.picture.push_back(broken ? -1 : paint.picture[f]);
 }
 
-/// With corners of its own for each face: stripes are counted anew in each, and colours may change there.
+/// Adds both sides with corners of their own for each face, since the numbers of stripes, and colours, may
+/// jump between faces.
 void SolidBuilder::add_sides_by_face() {
     for (std::size_t f = 0; f < frame.faces.size(); ++f)
         for (const double side : {1.0, -1.0}) {
@@ -142,7 +143,7 @@ void SolidBuilder::add_sides() {
     }
 }
 
-/// Away from the face to the left of the edge, in the surface.
+/// Unit vector in the surface, away from the face to the left of the edge.
 Vector3d SolidBuilder::outward(Index a, Index b) const {
     return (frame.position.col(b) - frame.position.col(a))
         .cross(normals.col(a) + normals.col(b))
@@ -155,7 +156,7 @@ void SolidBuilder::add_walls() {
             for (int k = 0; k < 3; ++k)
                 if (open[f][k]) visit(f, k, frame.faces[f][k], frame.faces[f][(k + 1) % 3], !rim[f][k]);
     };
-    // A rim that was made is smooth; one that broke is not.
+    // Walls on the rim of the unfractured mesh are smooth, broken ones are not.
     Positions smooth = Positions::Zero(3, frame.position.cols());
     each([&](std::size_t, int, Index a, Index b, bool broken) {
         if (broken) return;

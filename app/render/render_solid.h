@@ -10,26 +10,26 @@
 
 namespace sherd {
 
-/// What is drawn on a sheet.
+/// Colours, stripes and pictures of a sheet.
 struct SheetPaint {
     std::vector<Eigen::Vector3f> colour;  ///< [V] albedo
     Eigen::Matrix3Xf stripe = {};         ///< [3, F] RenderVertex::stripe at corners; empty: none
-    /// [F] at corners, instead of the vertices' colours; empty: none.
+    /// [F] colours at corners, instead of the vertices' colours; empty: none.
     std::vector<std::array<Eigen::Vector3f, 3>> corner_colour = {};
     CornerTexture texture = {};              ///< [6, F]; empty: none
-    std::vector<std::int32_t> picture = {};  ///< [F] RenderMesh::picture; empty: none has one
+    std::vector<std::int32_t> picture = {};  ///< [F] RenderMesh::picture; empty: none
     std::vector<std::shared_ptr<const Image>> pictures = {};
 };
 
-/// Which edges of each face (corner i to the next one) no other face has.
+/// Whether each edge of each face (corner i to the next one) belongs to no other face.
 std::vector<std::array<bool, 3>> open_edges(std::span<const std::array<Index, 3>> faces);
 
-/// Which edges of each face lie on the rim of the unbroken mesh.
+/// Whether each edge of each face lies on the rim of the unfractured mesh.
 std::vector<std::array<bool, 3>> rim_edges(const RestMesh& rest);
 
-/// The sheets of a frame as bodies: the surface moved by half the thickness to both sides along the vertices'
-/// normals, closed by walls along its edges. Walls that are not on the rim of the unbroken mesh are broken.
-/// thickness: [F] m; origin: subtracted from all positions.
+/// Sheets of a frame as bodies: the surface moved by half the thickness to both sides along the vertices'
+/// normals, closed by walls along its edges. Walls that are not on the rim of the unfractured mesh are
+/// broken. thickness: [F] m; origin: m, subtracted from all positions.
 RenderMesh sheet_solid(const Snapshot& frame, std::span<const double> thickness, const SheetPaint& paint,
                        const Vector3d& origin);
 

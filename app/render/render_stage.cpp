@@ -19,15 +19,15 @@ namespace sherd {
 namespace {
 
 constexpr double largest_share =
-    0.99;  // what lies above is drawn like this: one splinter must not darken the rest
+    0.99;  // quantile of the brightest colour: a single splinter must not darken the rest
 
-constexpr double largest_widening = 2;  // of the picture for an obstacle's sake
+constexpr double largest_widening = 2;  // factor by which an obstacle may widen the picture
 
-// Radius of a tip's ball: of the action's, and of the thickness of the sheet, which it has to stand out of.
+// Radius of a tip's ball over radius(), and over the thickness of the sheet, from which it must protrude.
 constexpr double tip_size = 0.022, tip_thickness = 1.1;
-// How far it points, at rest and at most, in its ball's radius.
+// Length of a tip's cone over its ball's radius, at rest and at the largest speed.
 constexpr double tip_reach = 2, fastest_reach = 5;
-constexpr double brightest_tip = 2;  // G / G_c: a tip goes on above 1, in the middle of the map
+constexpr double brightest_tip = 2;  // G / G_c: a tip propagates above 1, in the middle of the map
 
 double released_over_toughness(const TipRecord& tip) {
     return tip.released / tip.toughness;
@@ -110,7 +110,7 @@ void RenderStage::measure(const Recording& recording) {
     if (focus.isEmpty())
         throw Error("the recording has no frame with a place in it, so there is nothing to draw");
     if (options.range) range = *options.range;
-    if (!(range.second > range.first)) range.second = range.first + 1;  // all are the same, in any range
+    if (!(range.second > range.first)) range.second = range.first + 1;  // all values are equal
 }
 
 void RenderStage::measure_scalar(RenderScalar scalar) {
@@ -149,7 +149,7 @@ void RenderStage::measure_obstacles(const Recording& recording) {
                 around[k].extend(box_of(reshaped(obstacles[k].surface, shapes[k]), poses[k]));
     }
     for (const Eigen::AlignedBox3d& obstacle : around) {
-        // One that would make the sheets small is cut off by the picture instead.
+        // An obstacle that would make the sheets small is cut off by the picture instead.
         const double widened = focus.merged(obstacle).diagonal().norm();
         if (obstacle.isEmpty() || !(widened <= largest_widening * focus.diagonal().norm())) continue;
         boxes.push_back(obstacle);
@@ -164,7 +164,7 @@ void RenderStage::add_ground() {
         planes.push_back({(point - centre()).cast<float>(), normal.cast<float>()});
     };
     if (has_planes()) return;
-    if (scene_spec)  // of an earlier version's recording
+    if (scene_spec)  // a recording of an older version
         for (const ObstacleSpec& obstacle : scene_spec->obstacles)
             if (const auto* plane = std::get_if<PlaneShape>(&obstacle.shape))
                 add(plane->point, plane->normal.normalized());

@@ -20,38 +20,38 @@ namespace sherd {
 
 struct StageOptions {
     RenderColour colour = RenderColour::fragment;
-    std::optional<std::pair<double, double>> range;  ///< of the scalar's colours; none: that of the recording
+    std::optional<std::pair<double, double>> range;  ///< range of the colours; none: the recording's
     CameraChoice camera;
-    bool ground = true;  ///< the scene's planes; without any, one below everything
+    bool ground = true;  ///< whether the scene's planes are drawn, or, without any, one below everything
     double aspect = 16.0 / 9;
 };
 
-/// What stays the same in all pictures of a recording: camera, ground and the range of the colours, which all
+/// Properties that all pictures of a recording share: camera, ground and the range of the colours, which all
 /// follow from the whole recording, so that pictures of single frames fit together.
 class RenderStage {
   public:
-    /// Looks at every frame. Throws Error (input) on a recording without frames or finite positions, and when
-    /// axes are wanted that the scene has not, or tips of cracks that the recording has not.
+    /// Reads every frame. Throws Error (input) on a recording without frames or finite positions, and if it
+    /// is to show axes that the scene lacks, or crack tips that the recording lacks.
     RenderStage(const Recording& recording, const StageOptions& options, std::vector<std::string>& warnings);
 
     /// poses, shapes: of the recording's obstacles in that frame.
     RenderScene scene(const Snapshot& frame, std::span<const Eigen::Isometry3d> poses,
                       const ObstacleShapes& shapes) const;
-    Vector3d centre() const { return focus.center(); }  ///< m, of the action, from which the rest is seen
+    Vector3d centre() const { return focus.center(); }  ///< m, of the region in focus; origin of positions
     const Camera& camera() const { return placed; }
-    /// Planes, from poses of the recording's obstacles; one below everything when the scene has none.
+    /// Planes, in poses of the recording's obstacles; one below everything if the scene has none.
     std::vector<RenderPlane> ground(std::span<const Eigen::Isometry3d> poses) const;
     const Vector3d& upward() const { return up; }
-    const Eigen::AlignedBox3d& everything() const { return box; }  ///< m, strays of the action, too
-    double radius() const;                                         ///< m, of the action
+    const Eigen::AlignedBox3d& everything() const { return box; }  ///< m, of the sheets, outliers included
+    double radius() const;                                         ///< m, of the region in focus
     RenderColour colour() const { return options.colour; }
-    double largest() const { return range.second; }  ///< what the brightest colour stands for
-    /// What the colours say, in words; empty when there is nothing to say.
+    double largest() const { return range.second; }  ///< value of the brightest colour
+    /// Text on the colours; "" without one.
     std::string legend() const;
-    /// What the colours mean, when they are those of numbers.
+    /// Colour bar, if the colours show a scalar.
     std::optional<ColourBar> colour_bar() const;
     const std::string& time_unit() const { return header.time_unit; }
-    std::string caption(const Snapshot& frame) const;  ///< its time and step, or its mode of vibration
+    std::string caption(const Snapshot& frame) const;  ///< time and step, or the mode of vibration
 
   private:
     void read_scene(std::vector<std::string>& warnings);
@@ -70,25 +70,25 @@ class RenderStage {
     StageOptions options;
     RecordingHeader header;
     std::vector<RecordedObstacle> obstacles;
-    std::vector<std::string> modes;           ///< words of each, if the frames show modes of vibration
-    std::optional<Scene> scene_spec;          ///< none: it cannot be read any more
-    std::optional<double> guessed_thickness;  ///< m; none: the recording says it
-    std::vector<Eigen::AlignedBox3d> boxes;   ///< m, that the camera shows: in each frame, and obstacles
-    Eigen::AlignedBox3d focus;                ///< m, of the action: of focus_box() in all frames
+    std::vector<std::string> modes;           ///< text on each mode, if the frames show modes of vibration
+    std::optional<Scene> scene_spec;          ///< none: cannot be read any more
+    std::optional<double> guessed_thickness;  ///< m; none: the recording has it
+    std::vector<Eigen::AlignedBox3d> boxes;   ///< m, in the picture: each frame's focus_box(), and obstacles
+    Eigen::AlignedBox3d focus;                ///< m, around focus_box() of all frames
     Eigen::AlignedBox3d box;                  ///< m, of the sheets in all frames
     Vector3d up = Vector3d::UnitZ();
-    double lowest = 0;                                    ///< m, along up
+    double lowest = 0;                                    ///< m, lowest coordinate along `up`
     double end = 0;                                       ///< s, time of the last frame
-    std::pair<double, double> range{0, 0}, extent{0, 0};  ///< of the colours, of the values
+    std::pair<double, double> range{0, 0}, extent{0, 0};  ///< ranges of the colours, and of the values
     std::string scalar_name, scalar_unit;
-    std::optional<TipHistory> tips;       ///< that are drawn
-    std::optional<SurfacePaint> surface;  ///< that is drawn
-    Eigen::Matrix3Xd stripes;             ///< [3, F0] of the material's axes, at corners of the unbroken mesh
-    std::vector<RenderPlane> planes;      ///< that are no recorded obstacles
+    std::optional<TipHistory> tips;       ///< crack tips, if they are drawn
+    std::optional<SurfacePaint> surface;  ///< paint of the sheets' files, if it is drawn
+    Eigen::Matrix3Xd stripes;             ///< [3, F0] of material axes, at corners of the unfractured mesh
+    std::vector<RenderPlane> planes;      ///< planes that are no recorded obstacles
     Camera placed;
 };
 
-/// The scene of a recording, from the text that it keeps. Throws Error like read_scene.
+/// Parses the scene of a recording, from the text in it. Throws Error like read_scene.
 Scene recorded_scene(const RecordingHeader& header);
 
 }  // namespace sherd

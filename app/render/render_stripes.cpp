@@ -22,8 +22,8 @@
 namespace sherd {
 namespace {
 
-/// Whether the faces of `mesh` are those of the recording from face `first` on, where they were or all moved
-/// by the same way: a run parts sheets that start too near, which changes no axis.
+/// Whether the faces of `mesh` are those of the recording from face `first` on, at the same positions or all
+/// moved by the same vector: a run separates sheets that start too near, which changes no axis.
 bool is_recorded(const Mesh& mesh, const RecordingHeader& header, std::size_t first) {
     if (first + mesh.number_of_faces() > header.rest_faces.size()) return false;
     std::optional<Vector3d> way;
@@ -40,8 +40,8 @@ bool is_recorded(const Mesh& mesh, const RecordingHeader& header, std::size_t fi
     return true;
 }
 
-/// +1 or -1 at each corner: whether the face's axis points as the axis of the vertex does, which is that of
-/// the first face around it. Axes have no sign, so one of them is chosen for each vertex.
+/// Sign at each corner, +1 or -1: whether the face's axis points as the axis of the vertex does, which is
+/// that of the first face around it. Axes have no sign, so a direction is chosen for each vertex.
 std::vector<std::array<int, 3>> corner_signs(const RecordingHeader& header, std::span<const Vector3d> axes) {
     std::vector<int> first(header.rest_position.cols(), -1);
     std::vector<std::array<int, 3>> signs(axes.size());
@@ -54,22 +54,22 @@ std::vector<std::array<int, 3>> corner_signs(const RecordingHeader& header, std:
     return signs;
 }
 
-/// Of the edge from its lower to its higher vertex, seen with the lower one's sign.
+/// Edge from its lower to its higher vertex, with the sign of the lower one.
 struct StripeEdge {
-    double growth = 0;  ///< of the phase, rad; first the sum over its faces
+    double growth = 0;  ///< rad, of the phase; first the sum over its faces
     int faces = 0;
-    double weight = 0;  ///< cotangents of the opposite angles
+    double weight = 0;  ///< sum of the cotangents of the opposite angles
     int turned = 1;     ///< -1: the axis of the higher vertex points the other way
 };
 using StripeEdges = std::map<std::pair<Index, Index>, StripeEdge>;
 
-/// Stripes on the unbroken mesh.
+/// Stripes on the unfractured mesh.
 struct StripeMesh {
     const RecordingHeader& header;
     std::vector<std::array<int, 3>> signs;
     StripeEdges edges;
 
-    /// Corners i and j of face f with the lower vertex first, and their edge.
+    /// Corners i and j of a face, with the lower vertex first, and their edge.
     struct Side {
         int low, high;
         StripeEdge& edge;
@@ -82,7 +82,7 @@ struct StripeMesh {
 };
 
 StripeMesh stripe_mesh(const RecordingHeader& header, std::span<const Vector3d> axes, double spacing) {
-    constexpr double least_weight = 0.05;  // of obtuse triangles, so that the energy has a minimum
+    constexpr double least_weight = 0.05;  // lower bound for obtuse triangles, so that a minimum exists
     StripeMesh mesh{header, corner_signs(header, axes), {}};
     for (std::size_t f = 0; f < axes.size(); ++f) {
         const auto& face = header.rest_faces[f];
@@ -104,10 +104,10 @@ StripeMesh stripe_mesh(const RecordingHeader& header, std::span<const Vector3d> 
     return mesh;
 }
 
-/// The energy of complex numbers at the vertices, [2 V0]: the sum over the edges of weight times
+/// Matrix of the energy of complex numbers at the vertices, [2 V0]: the sum over the edges of weight times
 /// |z_high - exp(i growth) z_low|^2, with the conjugate of z_high where the axis is turned.
 Eigen::SparseMatrix<double> stripe_energy(const StripeMesh& mesh) {
-    constexpr double shift = 1e-8;  // where the energy can be zero, its matrix could not be inverted
+    constexpr double shift = 1e-8;  // keeps the matrix invertible where the energy can be zero
     std::vector<Eigen::Triplet<double>> entries;
     for (const auto& [ends, edge] : mesh.edges) {
         const auto [low, high] = ends;
@@ -122,7 +122,7 @@ Eigen::SparseMatrix<double> stripe_energy(const StripeMesh& mesh) {
             }
         }
     }
-    // A vertex of no face has no phase.
+    // A vertex without faces has no phase; the matrix must be invertible nevertheless.
     for (Eigen::Index i = 0; i < 2 * mesh.header.rest_position.cols(); ++i) entries.emplace_back(i, i, 1e-12);
     const Eigen::Index size = 2 * mesh.header.rest_position.cols();
     Eigen::SparseMatrix<double> energy(size, size);
@@ -130,9 +130,9 @@ Eigen::SparseMatrix<double> stripe_energy(const StripeMesh& mesh) {
     return energy;
 }
 
-/// The phases at the vertices, rad [V0]: of the energy's smallest eigenvector, by inverse iteration.
+/// Phases at the vertices, rad [V0]: of the energy's smallest eigenvector, by inverse iteration.
 VectorXd smooth_phases(const StripeMesh& mesh) {
-    constexpr int iterations = 40;  // more than enough but where two numbers of stripes fit equally well
+    constexpr int iterations = 40;  // more than enough unless two numbers of stripes fit equally well
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(stripe_energy(mesh));
     VectorXd area = VectorXd::Zero(2 * mesh.header.rest_position.cols());
     for (std::size_t f = 0; f < mesh.signs.size(); ++f)
@@ -158,7 +158,7 @@ VectorXd smooth_phases(const StripeMesh& mesh) {
 std::vector<Vector3d> recorded_axes(const Scene& scene, const RecordingHeader& header,
                                     std::vector<std::string>& warnings) {
     std::vector<Vector3d> axes;
-    std::vector<std::string> ignored;  // of the mesh: the run has told them
+    std::vector<std::string> ignored;  // warnings of the mesh, which the run has shown
     for (const SheetSpec& sheet : scene.sheets) {
         const Mesh mesh = make_mesh(sheet, scene, ignored);
         if (!is_recorded(mesh, header, axes.size()))

@@ -12,14 +12,14 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr int meridians = 24, parallels = 12;
-constexpr double cone_width = 0.75;  // of the ball's
+constexpr double cone_width = 0.75;  // over the ball's radius
 
-/// Of a body of revolution: along its axis and away from it.
+/// Point and normal of the profile of a body of revolution: along its axis and away from it.
 struct ProfilePoint {
     Vector2d place, normal;
 };
 
-/// Adds the surface that a line makes which goes around the mark's axis.
+/// Adds the surface of revolution of a profile about the mark's axis.
 void revolve(const std::vector<ProfilePoint>& profile, const TipMark& mark, const Vector3d& origin,
              RenderMesh& mesh) {
     const Vector3d side = mark.direction.unitOrthogonal(), other = mark.direction.cross(side);

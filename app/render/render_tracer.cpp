@@ -35,7 +35,7 @@ Valid load(const RayPacket& rays, Rays& to) {
 }  // namespace
 
 RenderTracer::RenderTracer(const RenderScene& scene)
-    // One thread builds the hierarchy, so that it never depends on how threads share the work.
+    // A single thread builds the hierarchy, so that it never depends on how threads share the work.
     : device(rtcNewDevice("threads=1")), hierarchy(nullptr) {
     if (!device) throw Error("Embree cannot be started", Fault::run);
     hierarchy = rtcNewScene(device);

@@ -11,18 +11,18 @@
 
 namespace sherd {
 
-/// Rays are traced by eights, which is what the processor does at once.
+/// Number of rays in a packet, which the processor traces at once.
 constexpr int ray_packet = 8;
 
 struct RenderRay {
     Eigen::Vector3f origin, direction;
-    float nearest = 0;                                     ///< where it begins, in lengths of the direction
-    float reach = std::numeric_limits<float>::infinity();  ///< where it ends
+    float nearest = 0;                                     ///< begin, in lengths of the direction
+    float reach = std::numeric_limits<float>::infinity();  ///< end, in lengths of the direction
     bool active = false;
 };
 
 struct RenderHit {
-    const RenderMesh* mesh = nullptr;  ///< none: nothing was hit
+    const RenderMesh* mesh = nullptr;  ///< null: nothing was hit
     std::uint32_t triangle = 0;
     float u = 0, v = 0;  ///< weights of the triangle's second and third corner
     float distance = std::numeric_limits<float>::infinity();
@@ -31,8 +31,8 @@ struct RenderHit {
 using RayPacket = std::array<RenderRay, ray_packet>;
 using HitPacket = std::array<RenderHit, ray_packet>;
 
-/// Embree's bounding volume hierarchy of a scene's meshes; it refers to the scene. May be used by several
-/// threads at once.
+/// Embree's bounding volume hierarchy of a scene's meshes. The scene must outlive it. Several threads may use
+/// it at once.
 class RenderTracer {
   public:
     explicit RenderTracer(const RenderScene& scene);
@@ -41,7 +41,7 @@ class RenderTracer {
     RenderTracer& operator=(const RenderTracer&) = delete;
 
     HitPacket nearest_hits(const RayPacket& rays) const;
-    /// Whether something is in the way of each ray; false of those that are not active.
+    /// Whether each ray is occluded; false for those that are not active.
     std::array<bool, ray_packet> occluded(const RayPacket& rays) const;
 
   private:
@@ -49,7 +49,7 @@ class RenderTracer {
 
     RTCDevice device;
     RTCScene hierarchy;
-    std::vector<const RenderMesh*> meshes;  ///< by Embree's number
+    std::vector<const RenderMesh*> meshes;  ///< by Embree's geometry number
 };
 
 }  // namespace sherd

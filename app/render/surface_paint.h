@@ -11,30 +11,30 @@
 
 namespace sherd {
 
-/// 0xRRGGBB (sRGB) of sheets of which no file says anything.
+/// Colour 0xRRGGBB (sRGB) of sheets whose files define none.
 inline constexpr std::uint32_t porcelain = 0xd8d2c6;
 
-/// Throws Error (input) if a recording's look says nothing of how a sheet is painted.
+/// Throws Error (input) if a recording's look has neither materials nor colours.
 void require_paint(const SurfaceLook& look);
 
-/// The warning that the colour of a material stands for its picture.
+/// Warning that a material is drawn in its colour instead of its picture.
 std::string unread_picture(const SurfaceMaterial& material, const std::exception& error);
 
-/// Paints sheets as the files of their meshes say: with materials, their pictures, and colours.
+/// Paint of sheets from the files of their meshes: materials, their pictures, and colours.
 class SurfacePaint {
   public:
     /// Reads the pictures of the materials; `warnings` gets a sentence for each that cannot be read. Throws
-    /// as require_paint().
+    /// Error as require_paint() does.
     SurfacePaint(const SurfaceLook& look, std::vector<std::string>& warnings);
 
-    /// plain: albedo of what the files say nothing of.
+    /// plain: albedo where the files define none.
     SheetPaint paint(const Snapshot& frame, const Eigen::Vector3f& plain) const;
 
   private:
     struct Known {
         SurfaceMaterial material;
         Eigen::Vector3f colour;
-        std::int32_t picture;  ///< number; -1: none
+        std::int32_t picture;  ///< index of its picture; -1: none
     };
     void add(const SurfaceMaterial& material, std::vector<std::string>& warnings);
     std::vector<const Known*> known_of(const SurfaceLook& look) const;

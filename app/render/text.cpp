@@ -34,8 +34,7 @@ FT_Face new_face(FT_Library library) {
     return face;
 }
 
-/// Calls `place` with the column at which each letter of the words begins, and returns where the last one
-/// ends.
+/// Calls `place` with the column at which each letter begins, and returns the end of the last one.
 double set(FT_Face face, double column, const std::string& words,
            const std::function<void(FT_UInt glyph, double column)>& place) {
     FT_UInt before = 0;
@@ -79,7 +78,7 @@ void Text::write(Image& image, double column, double row, const std::string& wor
                  const Eigen::Vector3f& colour) const {
     const double base = std::round(row);
     set(face.get(), column, words, [&](FT_UInt glyph, double at) {
-        // Letters stand between pixels as their widths want it; only their heights are fitted to rows.
+        // Letters are placed between pixels by their widths; only their heights are fitted to rows.
         FT_Vector shift{std::lround(64 * (at - std::floor(at))), 0};
         FT_Set_Transform(face.get(), nullptr, &shift);
         check(FT_Load_Glyph(face.get(), glyph, FT_LOAD_RENDER | FT_LOAD_TARGET_LIGHT));

@@ -11,16 +11,16 @@ struct FT_FaceRec_;
 
 namespace sherd {
 
-/// Writes words into images, in DejaVu Sans by FreeType: the same pixels for the same words. Both throw
-/// Error (run) when FreeType fails.
+/// Writes text into images, in DejaVu Sans by FreeType: equal texts give equal pixels. Members throw Error
+/// (run) if FreeType fails.
 class Text {
   public:
-    /// size: pixels that a line of text takes (the font's em).
+    /// size: the font's em, height of a line of text, pixels.
     explicit Text(double size);
 
     double size() const { return em; }
     double width(const std::string& words) const;  ///< pixels
-    /// column, row: pixels, where the words begin on their base line. words: UTF-8.
+    /// column, row: pixels, start of the text on its base line. words: UTF-8.
     void write(Image& image, double column, double row, const std::string& words,
                const Eigen::Vector3f& colour) const;
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view magic = "sherd checkpoint 4\n";
 
-/// What stands behind the rest of a file.
+/// End of a file: size (bytes) and checksum of the data between `magic` and it.
 struct Seal {
     std::uint64_t size = 0, sum = 0;
 };
@@ -88,11 +88,11 @@ void remove_checkpoints(const std::filesystem::path& recording) {
     for (const std::filesystem::path& file : checkpoint_files(recording)) {
         std::filesystem::remove(file, ignored);
         std::filesystem::remove(file.string() + ".part", ignored);
-        // What a program leaves that is killed while it writes one: taking the lock removes it.
+        // A lock file of a program that was killed while writing: taking the lock removes it.
         if (std::filesystem::exists(file.string() + ".lock", ignored)) try {
                 const OutputLock left(file);
             } catch (const Error&) {
-                continue;  // somebody writes it
+                continue;  // another program writes it
             }
     }
 }

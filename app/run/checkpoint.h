@@ -13,40 +13,40 @@
 
 namespace sherd {
 
-/// A moment of a run from which it can go on.
+/// Stored state of a run, from which it can be resumed.
 struct Checkpoint {
-    std::int64_t number = 0;    ///< of the run's checkpoints, from 1
+    std::int64_t number = 0;    ///< number among the run's checkpoints, from 1
     double time = 0;            ///< s, simulated
-    double frame_interval = 0;  ///< s, of the run
+    double frame_interval = 0;  ///< s, frame interval of the run
     RunOrigin origin;
-    bool at_start = false;  ///< no step has been made: all that is simulated follows from the scene
-    std::string state;      ///< of all that takes part: StateWriter; empty while it is written
+    bool at_start = false;  ///< no step has been made: the simulation follows from the scene
+    std::string state;      ///< state of the RunParts, by StateWriter; empty while it is written
 
-    /// The state itself, most of it, stands behind this as it is.
+    /// Visits all but `state`, which follows in the file without a length.
     void visit_state(StateVisitor& visit) {
         auto& [number, time, frame_interval, origin, at_start, state] = *this;
         visit(number, time, frame_interval, origin, at_start);
     }
 };
 
-/// The two files beside a recording that have the last checkpoints in turn: RECORDING.checkpoint-1 and -2.
+/// The two files beside a recording that hold its checkpoints in turn: RECORDING.checkpoint-1 and -2.
 std::array<std::filesystem::path, 2> checkpoint_files(const std::filesystem::path& recording);
 
-/// Replaces the older one of the two. A reader finds a file as it was before or all of the new one, even
-/// after a power cut. visit_all: visits what becomes Checkpoint::state, which is never in memory as a whole.
-/// Throws Error (run).
+/// Replaces the older checkpoint. A reader finds the file as it was before or all of the new one, even after
+/// a power cut. visit_all: visits the data of Checkpoint::state, which are never in memory as a whole. Throws
+/// Error (run).
 void write_checkpoint(const OutputLock& recording, Checkpoint checkpoint,
                       const std::function<void(StateVisitor&)>& visit_all);
 
-/// Returns the last one that is whole, if there is any, and adds a warning for each file that is not. What a
-/// killed writer left is removed: nobody else must write the recording.
+/// Returns the last intact checkpoint, if there is one, and adds a warning for each damaged file. Removes the
+/// files that a killed writer left; no other program may write the recording meanwhile.
 std::optional<Checkpoint> last_checkpoint(const std::filesystem::path& recording,
                                           std::vector<std::string>& warnings);
 
-/// Removes the one of this number, if it is there.
+/// Removes the checkpoint of this number, if it exists.
 void remove_checkpoint(const std::filesystem::path& recording, std::int64_t number);
 
-/// Removes both, and what a killed writer left.
+/// Removes both checkpoints, and the files that a killed writer left.
 void remove_checkpoints(const std::filesystem::path& recording);
 
 }  // namespace sherd

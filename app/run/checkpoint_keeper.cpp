@@ -39,7 +39,8 @@ void CheckpointKeeper::ended(const RunEnd& how) {
 void CheckpointKeeper::write() {
     const Clock::time_point start = Clock::now();
     parts.at_start = number == 0;
-    // What the state counts on is on the disk: each append to the recording has been committed.
+    // Each append to the recording has been committed, so all frames that the state refers to are on the
+    // disk.
     write_checkpoint(parts.recorder.lock(),
                      {++number,
                       parts.runner.simulation().time(),

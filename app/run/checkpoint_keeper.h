@@ -10,7 +10,7 @@
 
 namespace sherd {
 
-/// All of a run that goes on where it was.
+/// Parts of a run whose state a checkpoint stores.
 struct RunParts {
     Runner& runner;
     RunTotals& totals;
@@ -24,22 +24,23 @@ struct RunParts {
     }
 };
 
-/// Keeps checkpoints of a run beside its recording: at its begin, every Scene::checkpoint_interval, and at
-/// its end. A complete run keeps the last, so that it can be made longer, or none if it was complete before
-/// the first after its begin: to repeat such a run takes less than the interval.
+/// Writes checkpoints of a run beside its recording: at its start, every Scene::checkpoint_interval, and at
+/// its end. A complete run keeps the last, so that it can be made longer. It keeps none if it was complete
+/// before the second checkpoint, since repeating such a run takes less than the interval.
 class CheckpointKeeper : public RunObserver {
   public:
-    /// The parts must outlive this object. It must be the last observer, since it needs to know what the
-    /// others do.
+    /// The parts must outlive this object, which must be the last observer: it stores the state of the
+    /// others.
     CheckpointKeeper(const RunParts& parts, RunOrigin origin) : parts(parts), origin(std::move(origin)) {}
 
-    /// Puts the state of a checkpoint back; RunRecorder::go_on() is left to do. Throws Error (input), with
-    /// all that has changed, unless the run is of the same origin, and of no shorter duration.
+    /// Restores the state of a checkpoint; RunRecorder::go_on() must follow. Throws Error (input), with the
+    /// differences, if the origin or the frame interval of the run differs, or if the run would end before
+    /// the checkpoint.
     void put_back(const Checkpoint& checkpoint);
     void paused(bool at_end) override;
     void ended(const RunEnd& how) override;
 
-    double seconds() const { return spent; }  ///< s, of wall time, on checkpoints
+    double seconds() const { return spent; }  ///< s, wall time spent on checkpoints
 
   private:
     using Clock = std::chrono::steady_clock;
@@ -49,7 +50,7 @@ class CheckpointKeeper : public RunObserver {
 
     RunParts parts;
     RunOrigin origin;
-    std::int64_t number = 0;  ///< of the last one
+    std::int64_t number = 0;  ///< number of the last checkpoint
     Clock::time_point last = {};
     double spent = 0;
 };

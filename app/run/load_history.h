@@ -6,10 +6,10 @@
 
 namespace sherd {
 
-/// The load factors of a run's steps, in their order.
+/// Last, largest and limit load factor of a run's steps.
 struct LoadHistory {
     double last = 0, largest = 0;
-    std::optional<double> limit = {};  ///< at which the load fell for the first time; none: it never did
+    std::optional<double> limit = {};  ///< load factor before its first decrease; none: it never decreased
 
     void add(double load) {
         if (!limit && load < last) limit = last;

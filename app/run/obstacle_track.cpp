@@ -22,7 +22,7 @@ void extend(Eigen::AlignedBox3d& box, const ColliderSurface& surface, const Eige
     for (const auto& point : surface.points.colwise()) box.extend(pose * Vector3d(point));
 }
 
-/// Around sheets, bodies and obstacles but planes.
+/// Box around sheets, bodies and all obstacles but planes.
 Eigen::AlignedBox3d box_of(const Simulation& simulation) {
     const Positions& sheets = simulation.shell().mechanics().position;
     Eigen::AlignedBox3d box(sheets.rowwise().minCoeff(), sheets.rowwise().maxCoeff());
@@ -35,7 +35,7 @@ Eigen::AlignedBox3d box_of(const Simulation& simulation) {
     return box;
 }
 
-/// The square of a plane that lies nearest to a box, in the plane's own frame.
+/// Square of a plane around the point nearest to the box's centre, in the plane's own frame.
 GridSurface square(const PlaneShape& plane, const Eigen::Isometry3d& pose, const Eigen::AlignedBox3d& box) {
     const Vector3d way = pose.inverse() * box.center() - plane.point;
     const Vector3d middle = plane.point + (way - plane.normal.dot(way) * plane.normal);

@@ -7,7 +7,7 @@
 
 namespace sherd {
 
-/// Makes the head of the recording of a simulation that has not made a step yet.
+/// Returns the header of the recording of a simulation before its first step.
 RecordingHeader recording_header(const Scene& scene, const Simulation& simulation);
 
 }  // namespace sherd

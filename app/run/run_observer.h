@@ -6,21 +6,22 @@
 
 namespace sherd {
 
-/// Wants to know of a run while it goes on, as its progress, its recording and its interruption do. What an
-/// observer throws ends the run.
+/// Observer of a run, such as its progress, its recorder and its interruption. An exception of an observer
+/// ends the run.
 class RunObserver {
   public:
     virtual ~RunObserver() = default;
-    /// A step has been done, and this broke in it.
+    /// Called after a step, with the cracks in it.
     virtual void stepped(const StepReport&, const CrackEvents&) {}
-    /// A frame is due: where a run begins, where the scene wants one, and where a run is interrupted.
+    /// Called when a frame is due: at the start of a run, when the scene asks for one, and when a run ends
+    /// early.
     virtual void frame_due(const Simulation&) {}
-    /// The run stands between two steps, of which all observers know, and before the frame that may be due
-    /// there. at_end: no step follows.
+    /// Called between two steps, after all observers' stepped(), and before the frame that may be due then.
+    /// at_end: no step follows.
     virtual void paused(bool /*at_end*/) {}
-    /// Says whether the run is to end after the step that has been done.
+    /// Whether the run is to end after the last step.
     virtual bool wants_end() const { return false; }
-    /// The run has ended; no other call follows.
+    /// Called when the run has ended; no other call follows.
     virtual void ended(const RunEnd&) {}
 };
 

@@ -13,11 +13,11 @@
 namespace sherd {
 namespace {
 
-/// A run may be made longer, and keep checkpoints more often.
+/// Settings that a resumed run may change: it may be longer, and keep checkpoints more often.
 constexpr const char* free_keys[] = {"duration", "output.checkpoint"};
 
-/// Of where everything starts, and of what textures, grids and lists make different from place to place.
-/// Structs are left out, whose padding may have any bytes: they follow from these and the settings.
+/// Checksum of the initial state, with all data that textures, grids and lists may vary over a sheet. Structs
+/// are left out, since their padding may have any bytes: they follow from these data and the settings.
 std::uint64_t checksum_of_start(const Runner& runner) {
     Shell shell = runner.simulation().shell().mechanics();
     const std::span<const Vector3d> axes = runner.simulation().shell().axes();

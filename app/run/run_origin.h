@@ -9,12 +9,12 @@
 
 namespace sherd {
 
-/// What a run comes from: another run of the same origin gives the same bits.
+/// Origin of a run: runs of the same origin give the same bits.
 struct RunOrigin {
-    std::string program;                          ///< its version and the checksum of its file
-    std::map<std::string, std::string> settings;  ///< Scene::settings, without what a run may change
-    std::map<std::string, std::uint64_t> meshes;  ///< checksums of the files
-    std::uint64_t start = 0;                      ///< checksum of all that was built of them
+    std::string program;                          ///< version, and checksum of the program's file
+    std::map<std::string, std::string> settings;  ///< Scene::settings, but those that may change
+    std::map<std::string, std::uint64_t> meshes;  ///< checksums of the input files
+    std::uint64_t start = 0;                      ///< checksum of the initial state
 
     void visit_state(StateVisitor& visit) {
         auto& [program, settings, meshes, start] = *this;
@@ -22,10 +22,10 @@ struct RunOrigin {
     }
 };
 
-/// Of a run that has not made a step yet.
+/// Returns the origin of a run before its first step.
 RunOrigin run_origin(const Runner& runner);
 
-/// Says what is another in `now`, a line each; empty: nothing.
+/// Returns the differences of `now` from `before`, a line each, or "".
 std::string differences(const RunOrigin& before, const RunOrigin& now);
 
 }  // namespace sherd

@@ -32,7 +32,7 @@ void RunRecorder::frame_due(const Simulation& simulation) {
 void RunRecorder::ended(const RunEnd& end) try {
     writer.finish(end.wall_seconds, end.how);
 } catch (const Error&) {
-    if (!end.has_failed()) throw;  // else it is why the run has failed that counts
+    if (!end.has_failed()) throw;  // the cause of the run's failure matters more than this error
 }
 
 }  // namespace sherd

@@ -13,9 +13,8 @@ namespace sherd {
 /// Writes a run into a recording.
 class RunRecorder : public RunObserver {
   public:
-    /// Creates the recording of a scene and of its simulation, which has not made a step yet, or, with
-    /// `resumes`, takes the one that is there: see RecordingWriter. Throws Error (input) when it cannot be
-    /// created.
+    /// Creates the recording of a scene and of its simulation before the first step. With `resumes`, uses the
+    /// existing recording (see RecordingWriter). Throws Error (input) if it cannot be created.
     RunRecorder(RecordingOutput output, const Scene& scene, const Simulation& simulation,
                 bool resumes = false);
 
@@ -23,7 +22,7 @@ class RunRecorder : public RunObserver {
     void frame_due(const Simulation& simulation) override;
     void ended(const RunEnd& end) override;
 
-    double seconds() const { return spent; }  ///< s, of wall time, on frames
+    double seconds() const { return spent; }  ///< s, wall time spent on frames
 
     void visit_state(StateVisitor& visit) {
         auto& [obstacles, writer, unrecorded, unrecorded_events, spent] = *this;

@@ -25,12 +25,12 @@ class RunTotals : public RunObserver {
     std::int64_t newton_iterations = 0, halvings = 0;
     double smallest_step = std::numeric_limits<double>::infinity();  ///< s
     double explicit_time = 0;                                        ///< s, in explicit steps
-    std::array<std::int64_t, urgency_count> urgencies{};             ///< how often each was met by them
+    std::array<std::int64_t, urgency_count> urgencies{};             ///< number of steps with each urgency
     LoadHistory load;
     StepReport peaks;
-    /// s, when a material was first beyond its yield stress.
+    /// Time at which a material first exceeded its yield stress, s.
     double yielded_at = std::numeric_limits<double>::infinity();
-    double largest_energy = 0;  ///< J, kinetic and elastic
+    double largest_energy = 0;  ///< J, kinetic, elastic and contact energy
     StepReport last;
 };
 

@@ -9,7 +9,7 @@
 namespace sherd {
 namespace {
 
-constexpr double rounding = 1e-6;  // of a step
+constexpr double rounding = 1e-6;  // tolerance, as a share of a step
 
 }  // namespace
 

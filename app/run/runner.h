@@ -13,40 +13,41 @@
 
 namespace sherd {
 
-/// Runs a scene: steps it and tells observers of it.
+/// Runs a scene, and notifies observers.
 class Runner {
   public:
-    /// Takes a scene and what was built of it.
+    /// built: sheets and options built from the scene.
     Runner(Scene scene, BuiltScene built);
 
-    /// Observers are told one after the other, in the order in which they are added, and must outlive this.
+    /// Adds an observer, which must outlive this object. Observers are notified in the order in which they
+    /// were added.
     void add(RunObserver& observer) { observers.push_back(observer); }
 
-    /// Steps on from where the simulation stands to the end of the scene's duration, or until an observer
-    /// wants an end. Throws what a step or an observer throws, when the observers know that the run has
+    /// Steps from the simulation's time to the end of the scene's duration, or until an observer asks for the
+    /// end. Rethrows exceptions of a step or an observer, after notifying the observers that the run has
     /// failed.
     RunEnd run();
 
-    /// Makes a single step, of which the observers are told, too. It is shorter than the scene's when it had
-    /// to be halved. Throws Error (run) when it cannot be solved.
+    /// Makes a single step, and notifies the observers. The step is shorter than the scene's if it had to be
+    /// halved. Throws Error (run) if it cannot be solved.
     StepReport step();
-    /// The same as a part of run(): observers are told, too, of the frame that may be due at its end.
+    /// Makes a single step as part of run(), with the frame that may be due at its end.
     StepReport advance();
 
-    /// Says whether no step follows: the scene's end has been reached, or an observer wants an end.
+    /// Whether no step follows: the scene's end has been reached, or an observer asks for the end.
     bool has_ended() const;
-    /// Says whether the scene's end has been reached.
+    /// Whether the scene's end has been reached.
     bool is_complete() const;
-    /// Where the last of the scene's steps ends, in its unit of time: past its duration if that is not a
-    /// number of steps, or by rounding.
+    /// End of the scene's last step, in its unit of time: later than its duration if that is not a number of
+    /// steps, or by rounding.
     double end_time() const;
-    double wall_seconds() const;  ///< s, of run(), in the runs that this one goes on from, too
+    double wall_seconds() const;  ///< s, of run(), including the runs that this one resumes
 
     const Scene& scene() const { return definition; }
     const Simulation& simulation() const { return stepped; }
-    Simulation& simulation() { return stepped; }  ///< to be changed between two steps
+    Simulation& simulation() { return stepped; }  ///< may be changed between two steps
 
-    /// Where the simulation stands. When it has been put back, run() goes on from there.
+    /// Visits the simulation and the wall time. When they have been restored, run() resumes from there.
     void visit_state(StateVisitor& visit);
 
   private:
@@ -54,8 +55,8 @@ class Runner {
 
     void step_to_the_end();
     bool is_over() const;
-    std::int64_t done() const;  ///< how many of the scene's steps have been made
-    /// Whether a frame is due where the simulation stands, at the end of a step of the scene or after it.
+    std::int64_t done() const;  ///< number of the scene's steps that have been made
+    /// Whether a frame is due at the simulation's time.
     bool has_frame_now() const;
     void pause();
     void record();
@@ -65,8 +66,8 @@ class Runner {
     Simulation stepped;
     std::vector<std::reference_wrapper<RunObserver>> observers;
     bool resumed = false;
-    double seconds_before = 0;                      ///< s, of wall time, in the runs before
-    std::optional<Clock::time_point> started = {};  ///< none: run() has not begun
+    double seconds_before = 0;                      ///< s, wall time of the runs before
+    std::optional<Clock::time_point> started = {};  ///< none: before run()
 };
 
 }  // namespace sherd

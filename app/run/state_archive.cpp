@@ -16,7 +16,7 @@ std::uint32_t state_sum(std::span<const char> text, std::uint32_t sum) {
 }
 
 void StateWriter::bytes(void* data, std::size_t size) {
-    if (size == 0) return;  // there may be no data, for which zlib has a meaning of its own
+    if (size == 0) return;  // `data` may be null, for which zlib returns the initial checksum
     const auto* text = static_cast<const char*>(data);
     out.write(text, static_cast<std::streamsize>(size));
     summed = state_sum({text, size}, summed);

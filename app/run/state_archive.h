@@ -10,10 +10,10 @@
 
 namespace sherd {
 
-/// CRC-32 of a text, which tells whether it is damaged. sum: of what stands before it.
+/// CRC-32 of a text. sum: that of the preceding text.
 std::uint32_t state_sum(std::span<const char> text, std::uint32_t sum = 0);
 
-/// Writes state into a stream, with the name of each class in front of what it has, and sums it up.
+/// Writes state into a stream, the name of each class before its data, and computes their checksum.
 class StateWriter : public StateVisitor {
   public:
     /// The stream must outlive this object.
@@ -31,8 +31,8 @@ class StateWriter : public StateVisitor {
     std::uint32_t summed = 0;
 };
 
-/// Puts state back that a StateWriter of the same program wrote. Throws Error (run) where it is of other
-/// classes, or too short.
+/// Restores state that a StateWriter of the same program wrote. Throws Error (run) if it is of other classes,
+/// or too short.
 class StateReader : public StateVisitor {
   public:
     /// The text must outlive this object.
@@ -41,7 +41,7 @@ class StateReader : public StateVisitor {
     void bytes(void* data, std::size_t size) override;
     void enter(const char* type) override;
     std::string_view left() const { return {rest.data(), rest.size()}; }
-    /// Throws Error (run) when there is more.
+    /// Throws Error (run) if text is left over.
     void finish() const;
 
   private:

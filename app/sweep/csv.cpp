@@ -9,7 +9,7 @@
 namespace sherd {
 namespace {
 
-/// Quotes also keep what looks like a byte order mark from being one at the beginning of a file.
+/// Returns a cell, in quotes if necessary. Quotes also protect a cell that begins like a byte order mark.
 std::string quoted_cell(const std::string& cell) {
     const bool is_mark = cell.find_first_of("\xEF\xFE\xFF") == 0;
     if (!is_mark && cell.find_first_of("\",\r\n") == std::string::npos) return cell;
@@ -55,7 +55,7 @@ class CsvReader {
         return row;
     }
 
-    /// From the quote that begins a cell to the one that ends it.
+    /// Reads from the quote that begins a cell to the one that ends it.
     void read_quoted(std::string& cell) {
         const std::size_t begin = line;
         for (++at; at < text.size(); ++at) {

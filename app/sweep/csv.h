@@ -10,7 +10,7 @@ namespace sherd {
 /// A table of text: the first row has the names of the columns.
 using CsvRows = std::vector<std::vector<std::string>>;
 
-/// As RFC 4180 has it, but with "\n" at the ends of lines.
+/// Returns a text as in RFC 4180, but with "\n" at the ends of lines.
 std::string csv_text(const CsvRows& rows);
 
 /// Reads such a text, with any end of lines and with or without a byte order mark. Throws Error (input) with

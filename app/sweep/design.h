@@ -8,9 +8,9 @@
 
 namespace sherd {
 
-/// The points of a study: of each the values of all parameters, as TOML. The same study has the same points
-/// on every machine. Of `latin` (McKay, Beckman and Conover 1979) and `random` designs a parameter with a
-/// list has its values by equal shares.
+/// Returns the points of a study: for each the values of all parameters, as TOML. A study has the same points
+/// on every machine. In `latin` (McKay, Beckman and Conover 1979) and `random` designs the values of a
+/// parameter with a list have equal shares.
 std::vector<std::vector<std::string>> design_points(const Study& study);
 
 }  // namespace sherd

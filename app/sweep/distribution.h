@@ -3,7 +3,7 @@
 
 namespace sherd {
 
-/// What a parameter of a study is drawn from.
+/// Distribution of a parameter of a study.
 struct Distribution {
     enum class Kind {
         uniform,      ///< from a to b
@@ -14,7 +14,7 @@ struct Distribution {
     Kind kind = Kind::uniform;
     double a = 0, b = 1;
 
-    /// The number that a share of all is below. share: between 0 and 1, both excluded.
+    /// Number below which a share of the distribution lies. share: between 0 and 1, both excluded.
     double quantile(double share) const;
 };
 

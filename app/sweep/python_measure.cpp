@@ -14,7 +14,7 @@
 namespace sherd {
 namespace {
 
-/// argv: folder of the package, file, recording; without the last nothing is measured.
+/// argv: folder of the package, file, recording; without a recording nothing is measured.
 constexpr const char* script = R"python(
 import json, pathlib, runpy, sys
 folder, file, *recording = sys.argv[1:]
@@ -34,7 +34,7 @@ if recording:
     print(json.dumps(numbers), file=results)
 )python";
 
-/// Where the module is that belongs to this program: beside it in a build, below the prefix of an
+/// Folder of the module that belongs to this program: beside it in a build, below the prefix of an
 /// installation.
 std::filesystem::path package_folder() {
     const std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();

@@ -13,11 +13,11 @@ namespace sherd {
 /// Results by StudyRow::identity.
 using RowResults = std::unordered_map<std::uint64_t, RowResult>;
 
-/// A file of results that one program appends to, a line each. A line that a killed program has not written
-/// to its end is cut off by the next one, and passed over by who reads meanwhile.
+/// A file of results to which a single program appends, a line each. A line that a killed program has not
+/// written completely is cut off by the next program, and ignored by readers.
 class ResultJournal {
   public:
-    /// Takes the file that is there, or makes it. Throws Error: (input) when another program has it.
+    /// Opens the file, or creates it. Throws Error: (input) when another program has it.
     explicit ResultJournal(const std::filesystem::path& file);
     void append(const RowResult& result);
 
@@ -27,8 +27,8 @@ class ResultJournal {
     std::uint64_t end = 0;
 };
 
-/// All results of a folder's journals (`*.jsonl`). Of one row the last of a journal counts, and of several
-/// journals one that has not failed. A folder that is not there has none.
+/// Reads all results of a folder's journals (`*.jsonl`). For a row, the last result of a journal counts, and
+/// of several journals one that has not failed. A missing folder has none.
 RowResults read_results(const std::filesystem::path& folder);
 
 }  // namespace sherd

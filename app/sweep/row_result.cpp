@@ -28,7 +28,7 @@ std::string to_line(const RowResult& result) {
               {"values", result.values},
               {"python", Json::object()}};
     for (const auto& [key, value] : result.python) json["python"][key] = value;
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace);  // of words that are no UTF-8
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);  // the message may not be UTF-8
 }
 
 std::optional<RowResult> row_result(const std::string& line) try {

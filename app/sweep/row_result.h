@@ -10,20 +10,20 @@
 
 namespace sherd {
 
-/// What became of a row that has been run to its end.
+/// Result of a row that has been run to its end.
 struct RowResult {
     std::uint64_t identity = 0;  ///< StudyRow::identity
     std::uint64_t program = 0;   ///< StudyRows::program
     int exit_code = 0;
     double wall_seconds = 0, processor_seconds = 0;
-    std::string message;                                 ///< why it failed; empty: it did not
+    std::string message;                                 ///< why it failed; empty: no failure
     std::map<std::string, double> values;                ///< measure_values()
-    std::vector<std::pair<std::string, double>> python;  ///< of the study's own file, in its order
+    std::vector<std::pair<std::string, double>> python;  ///< values of the study's Python file, in its order
 };
 
-/// One line of JSON, without its end.
+/// Returns a line of JSON, without its end.
 std::string to_line(const RowResult& result);
-/// None when the line is not one of to_line().
+/// Reads a line of to_line(); none if it is not one.
 std::optional<RowResult> row_result(const std::string& line);
 
 }  // namespace sherd

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether a run of this program has left something to go on from.
+/// Whether a killed run of this program has left a checkpoint from which it can be resumed.
 bool can_go_on(const fs::path& recording, std::uint64_t program) {
     if (!fs::exists(recording)) return false;
     std::vector<std::string> warnings;
@@ -87,7 +87,7 @@ void RowRun::measure() try {
 RowResult RowRun::finish() {
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
     result.wall_seconds = spent.count();
-    if (result.exit_code > signal_base) return result;  // it may go on
+    if (result.exit_code > signal_base) return result;  // the run can be resumed
     remove_checkpoints(recording);
     const bool kept = study.keep == Keep::all || (study.keep == Keep::failed && result.exit_code != 0);
     if (!kept)

@@ -11,21 +11,22 @@
 
 namespace sherd {
 
-/// Where the recording of a row is, or was: FOLDER/runs/IDENTITY.h5.
+/// Path of a row's recording, which may not exist: FOLDER/runs/IDENTITY.h5.
 std::filesystem::path row_recording(const std::filesystem::path& folder, const StudyRow& row);
 
-/// A row that is being run, and then measured.
+/// A row that is run, and then measured.
 class RowRun {
   public:
-    /// Goes on from the checkpoint that a killed run of it has left, unless another program wrote that.
+    /// Starts the run, or resumes it from the checkpoint of a killed run, unless another program wrote that.
     RowRun(const Study& study, const StudyRows& rows, const StudyRow& row,
            const std::filesystem::path& folder, int threads);
 
     void add_pipes(std::vector<pollfd>& pipes) const { process->add_pipes(pipes); }
-    /// Reads what its process says. Returns false when all has come to its end.
+    /// Reads the output of its process. Returns false when both the run and the measurement have ended.
     bool listen();
     void interrupt() { process->interrupt(); }
-    /// After its end. Leaves the recording if the study keeps it, or if the process was killed.
+    /// Returns the result; to be called after the end. Keeps the recording if the study asks for it, or if
+    /// the process was killed.
     RowResult finish();
     double done() const { return process->meter.status().done; }  ///< 0 to 1
 
@@ -37,8 +38,8 @@ class RowRun {
     const StudyRows& rows;
     std::filesystem::path recording;
     std::optional<ChildRun> process;
-    bool measuring = false;  ///< the process is the study's Python file
-    std::string words;       ///< its stderr
+    bool measuring = false;  ///< whether the process is the study's Python file
+    std::string words;       ///< stderr of the process
     RowResult result;
     std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
 };

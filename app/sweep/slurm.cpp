@@ -20,16 +20,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double safety = 5;                                 // times the first steps: contact and cracks
+constexpr double safety = 5;  // factor for contact and cracks, over the first steps
 constexpr double longest_chunk = 3600, shortest_time = 300;  // s
-constexpr double most_tasks = 1000;  // Slurm's MaxArraySize is 1001 unless it is told otherwise
-constexpr double megabyte = 1e6, spare_memory = 300e6;  // bytes
+constexpr double most_tasks = 1000;                          // Slurm's MaxArraySize is 1001 by default
+constexpr double megabyte = 1e6, spare_memory = 300e6;       // bytes
 
 fs::path job_file(const fs::path& folder) {
     return folder / "slurm" / "job.json";
 }
 
-/// "0-3,7,9-12" of ascending numbers.
+/// Text of ascending numbers: "0-3,7,9-12".
 std::string ranges_text(const std::vector<std::size_t>& numbers) {
     std::string text;
     for (std::size_t i = 0; i < numbers.size();) {
@@ -42,7 +42,7 @@ std::string ranges_text(const std::vector<std::size_t>& numbers) {
     return text;
 }
 
-/// States of the tasks of a job that are in the queue; none when squeue does not know it, or is not there.
+/// Returns the states of a job's tasks in the queue; none if squeue has no such job, or is missing.
 std::map<std::size_t, std::string> queued_tasks(const std::string& job) try {
     const ProgramEnd end = end_of("squeue", {"--noheader", "--array", "--jobs", job, "--format", "%K %T"});
     std::map<std::size_t, std::string> tasks;
@@ -51,7 +51,7 @@ std::map<std::size_t, std::string> queued_tasks(const std::string& job) try {
     std::size_t task = 0;
     std::string state;
     while (lines >> task >> state)
-        if (state != "COMPLETING") tasks[task] = state;  // which may last long after the end
+        if (state != "COMPLETING") tasks[task] = state;  // a state that may last long after the end
     return tasks;
 } catch (const Error&) {
     return {};
@@ -64,7 +64,7 @@ void write_file(const fs::path& file, const std::string& text) {
     pending.publish(true);
 }
 
-/// A path in which sbatch replaces nothing.
+/// Escapes a path, so that sbatch replaces no pattern in it.
 std::string without_patterns(const std::string& path) {
     std::string text;
     for (const char c : path) text += c == '%' ? std::string("%%") : std::string(1, c);
@@ -125,7 +125,7 @@ std::string submit(std::size_t chunk, const std::string& script, const fs::path&
         throw Error(fmt::format("sbatch: {}; --slurm is for machines that hand jobs to Slurm", error.what()),
                     Fault::run);
     }
-    if (end.exit_code != 0) throw Error(end.err, Fault::run);              // with its name in each line
+    if (end.exit_code != 0) throw Error(end.err, Fault::run);              // each line names sbatch
     std::string number = end.out.substr(0, end.out.find_first_of(";\n"));  // "NUMBER;CLUSTER"
     write_file(job_file(folder), Json{{"job", number}, {"chunk", chunk}}.dump() + "\n");
     return number;

@@ -6,12 +6,12 @@
 
 namespace sherd {
 
-/// What Slurm is asked for; empty or 0: by estimate, or Slurm's own default.
+/// Options of Slurm; empty or 0: by estimate, or Slurm's own default.
 struct SlurmOptions {
     std::string partition, account;
-    std::string time;       ///< of a task, as sbatch takes it
-    std::string memory;     ///< the same
-    std::size_t chunk = 0;  ///< rows a task
+    std::string time;       ///< time of a task, as sbatch reads it
+    std::string memory;     ///< memory of a task, as sbatch reads it
+    std::size_t chunk = 0;  ///< rows of a task
 };
 
 }  // namespace sherd

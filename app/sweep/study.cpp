@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::int64_t most_samples = 10'000'000;
 
-/// An array of strings; `what` is told to the user.
+/// Reads an array of strings; `what` describes them in messages.
 std::vector<std::string> read_texts(TomlTable& root, const toml::table& document, const char* key,
                                     const char* what) {
     std::vector<std::string> texts;
@@ -45,7 +45,7 @@ void read_design(TomlTable& root, Study& study) {
     study.repeats = root.integer("repeats", 1, most_samples, study.repeats);
 }
 
-/// What only all parameters together show.
+/// Reports mistakes that only all parameters together show.
 void require_rows(TomlTable& root, const Study& study) {
     const bool draws = study.design == Design::latin || study.design == Design::random;
     double rows = static_cast<double>(draws ? study.samples : 1);
@@ -108,7 +108,7 @@ SlurmOptions read_slurm(TomlTable& table) {
     return slurm;
 }
 
-/// Puts the keys of the table `quick`, if there is one, over the others.
+/// Removes the table `quick`, if there is one, and puts its keys over the others if `quick` is true.
 void apply_quick(toml::table& document, bool quick) {
     toml::table* changes = document.get_as<toml::table>("quick");
     if (!changes) return;

@@ -8,19 +8,20 @@
 
 namespace sherd {
 
-/// What is drawn of a table.
+/// Columns and axes of a chart of a table.
 struct StudyAxes {
     std::string x, y;     ///< columns
     std::string by = {};  ///< column whose values have a colour each; empty: none
     bool log_x = false, log_y = false;
 };
 
-/// A dot for each row; where several rows have the same x, their mean with its interval by the bootstrap, and
-/// a line through the means. Throws Error (input) when there is no such column, or no row with both numbers.
+/// Returns a chart with a dot for each row; where several rows have the same x, with their mean and its
+/// interval by the bootstrap, and a line through the means. Throws Error (input) if there is no such column,
+/// or no row with both numbers.
 Chart study_chart(const StudyTable& table, const StudyAxes& axes);
 
-/// Charts of all measures over the first parameter that has several numbers for its values; none without
-/// such a parameter.
+/// Returns an SVG file with charts of all measures over the first parameter that has several numbers for its
+/// values; "" without such a parameter.
 std::string summary_svg(const Study& study, const StudyTable& table);
 
 }  // namespace sherd

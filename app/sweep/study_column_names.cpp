@@ -10,7 +10,7 @@
 namespace sherd {
 namespace {
 
-/// Of every table, beside those of the study.
+/// Columns of every table, apart from those of the study.
 constexpr std::array<std::string_view, 11> fixed_columns{
     "row",     "seed",       "exit",       "wall_seconds", "cpu_seconds", "message",
     "command", "scene_hash", "files_hash", "program_hash", "recording"};

@@ -5,7 +5,7 @@
 
 namespace sherd {
 
-/// Whether tables have a column of this name beside the parameters and the keys of Python files.
+/// Whether tables have a column of this name, apart from parameters and keys of Python files.
 bool is_study_column(std::string_view name);
 
 }  // namespace sherd

@@ -15,7 +15,7 @@ using Number = std::optional<double>;
 
 constexpr std::string_view peak_force = "peak_force.", peak_time = "peak_force_time.";
 
-/// Of the heaviest fragment.
+/// Measure of the heaviest fragment; none without fragments.
 template <class Value>
 auto of_heaviest(Value value) {
     return [value](const Measures& measures) {
@@ -59,7 +59,7 @@ auto of_tips(Value value) {
 }
 
 Number median_mass(const Measures& measures) {
-    const auto& fragments = measures.fragments;  // by mass
+    const auto& fragments = measures.fragments;  // sorted by mass
     if (fragments.empty()) return std::nullopt;
     const std::size_t half = fragments.size() / 2;
     const double upper = fragments[half].info.mass;
@@ -71,7 +71,7 @@ Number largest_force(const Measures& measures) {
     return std::ranges::max(measures.peak_forces, {}, &PeakForce::force).force;
 }
 
-/// The support or obstacle that a measure names; empty: none.
+/// Returns the support or obstacle that a measure names, or "".
 std::string support_of(const std::string& measure) {
     for (const std::string_view prefix : {peak_force, peak_time})
         if (measure.starts_with(prefix)) return measure.substr(prefix.size());

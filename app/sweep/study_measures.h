@@ -16,29 +16,29 @@ namespace sherd {
 struct StudyMeasure {
     std::string name, unit;
     std::string meaning;
-    /// None where the run has none, as the time of the first crack of a plate that held.
+    /// None if the run has none, as the time of the first crack of a plate that did not break.
     std::function<std::optional<double>(const Measures&)> value;
 };
 
-/// All but those of single supports and obstacles.
+/// Returns all measures but those of single supports and obstacles.
 const std::vector<StudyMeasure>& study_measures();
 
-/// What is wrong with a name, with the nearest that is none; empty: nothing. "peak_force.NAME" and
-/// "peak_force_time.NAME" are right for any support or obstacle.
+/// Error for an unknown measure, with the nearest known name; "" if the name is known. "peak_force.NAME" and
+/// "peak_force_time.NAME" are known for any support or obstacle.
 std::string measure_mistake(const std::string& name);
 
-/// The name of a support or obstacle behind "peak_force.": "floor" of "obstacle.floor", and "sheet.plate.pin"
-/// as it is.
+/// Returns the name of a support or obstacle behind "peak_force.": "floor" for "obstacle.floor";
+/// "sheet.plate.pin" is unchanged.
 std::string name_in_measures(const std::string& support);
 
-/// The mistake in a measure of a support or obstacle that the scenes do not have, with the nearest name that
-/// they have; empty: there is none.
+/// Error for a measure of a support or obstacle that the scenes do not have, with the nearest name that they
+/// have; "" if there is none.
 std::string support_mistake(const std::string& measure, const std::set<std::string>& supports);
 
-/// Of a measure's name; empty: a plain number.
+/// Unit of a measure; empty: a plain number.
 std::string measure_unit(const std::string& name);
 
-/// All of a run by name; those that it does not have are left out.
+/// Returns the values of all measures of a run by name, without those that it does not have.
 std::map<std::string, double> measure_values(const Measures& measures);
 
 }  // namespace sherd

@@ -32,7 +32,7 @@ std::string number_text(double value) {
     return fmt::format("{:.12g}", value);  // 0.3, not 0.30000000000000004
 }
 
-/// Reads one parameter.
+/// Reads a parameter.
 class ParameterReader {
   public:
     ParameterReader(const toml::node& node, std::string name, Problems& problems)
@@ -143,7 +143,7 @@ class ParameterReader {
     StudyParameter parameter;
 };
 
-/// Dotted keys are tables in tables; what stands in braces is a parameter.
+/// Adds the parameters in a table. Dotted keys are tables in tables; a table in braces is a parameter.
 void add_parameters(std::vector<std::pair<toml::source_position, StudyParameter>>& found,
                     const toml::table& table, const std::string& path, Problems& problems) {
     for (const auto& [key, node] : table) {

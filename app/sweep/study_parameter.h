@@ -9,8 +9,8 @@
 
 namespace sherd {
 
-/// The parameters of a study's table `parameters`, in the order of the file. Dotted keys are those of the
-/// scene. What is wrong is added to the problems.
+/// Reads the parameters of a study's table `parameters`, in the order of the file. Dotted keys are those of
+/// the scene. Mistakes are added to the problems.
 std::vector<StudyParameter> read_parameters(const toml::table& table, Problems& problems);
 
 }  // namespace sherd

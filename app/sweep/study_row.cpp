@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of many rows with the same mistake one is told.
+/// Number of mistakes in a message; the others are counted.
 constexpr std::size_t most_mistakes = 10;
 
 std::string without_quotes(const std::string& value) {
@@ -33,7 +33,7 @@ std::string without_quotes(const std::string& value) {
     return quoted ? value.substr(1, value.size() - 2) : value;
 }
 
-/// A whole value keeps its quotes; what is put into the middle of another one loses them.
+/// Puts a value into an assignment. A whole value keeps its quotes; inside another value it loses them.
 std::string filled(const std::string& pattern, const std::string& value) {
     const bool whole = pattern.ends_with("={}");
     std::string text = pattern;
@@ -47,7 +47,7 @@ fs::path beside(const Study& study, const std::string& name) {
     return fs::absolute(study.file).parent_path() / name;
 }
 
-/// A file beside the study, or a scene that comes with the program.
+/// Returns a file beside the study, or a scene that comes with the program.
 fs::path scene_of(const Study& study) {
     std::error_code ignored;
     for (const char* ending : {"", ".toml"})
@@ -89,7 +89,7 @@ std::uint64_t settings_hash(const Scene& scene) {
     return sum;
 }
 
-/// Of all files that a setting names: meshes, textures, grids, lists.
+/// Hash of all files that a setting names: meshes, textures, grids, lists.
 std::uint64_t files_hash(const Scene& scene, FileHashes& hashes) {
     std::uint64_t sum = checksum("");
     for (const auto& [key, value] : scene.settings) {
@@ -110,7 +110,7 @@ std::string centre_words(const CrackCentre& centre) {
     return words + fmt::format(" radii {}", fmt::join(centre.radii, " "));
 }
 
-/// Reads scenes row by row, and keeps what they are refused for.
+/// Reads scenes row by row, and collects their mistakes.
 class RowReader {
   public:
     RowReader(const Study& study, StudyRows& all) : study(study), all(all) {
@@ -120,7 +120,7 @@ class RowReader {
         if (!all.python.empty()) measured = checksum(text_of(all.python), measured);
     }
 
-    /// Adds the rows of a point, of which only the seeds differ.
+    /// Adds the rows of a point, which differ in their seeds only.
     void add(const StudyRow& point) try {
         if (has_variants && point.choice.variant.empty())
             throw Error(fmt::format("{} has variants: name one (variant = \"...\"), or make them a parameter",
@@ -155,7 +155,7 @@ class RowReader {
         refuse(error.what());
     }
 
-    /// After all rows: a measure of a support may have no value in some of them.
+    /// To be called after all rows: a measure of a support may have no value in some of them.
     void require_supports() {
         for (const std::string& measure : study.measures)
             if (const std::string mistake = support_mistake(measure, supports); !mistake.empty())
@@ -181,11 +181,11 @@ class RowReader {
     bool has_variants = false;
     std::uint64_t measured = 0;
     FileHashes hashes;
-    std::set<std::string> supports;  ///< in all rows, by their names in measures
+    std::set<std::string> supports;  ///< supports in all rows, by their names in measures
     std::vector<std::string> mistakes;
 };
 
-/// The rows with the first, smallest and largest values, and with each that is no number.
+/// Returns the rows with the first, smallest and largest values, and with each value that is no number.
 std::set<std::size_t> rows_to_build(const Study& study, const std::vector<StudyRow>& rows) {
     std::set<std::size_t> chosen;
     if (!rows.empty()) chosen.insert(0);

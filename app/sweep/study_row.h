@@ -11,35 +11,35 @@
 
 namespace sherd {
 
-/// One run of a study.
+/// A run of a study.
 struct StudyRow {
-    std::vector<std::string> values;  ///< of the parameters, as they stand in the table
-    std::size_t point = 0;            ///< rows of the same values have the same
-    std::int64_t seed = 0;            ///< of the scene
+    std::vector<std::string> values;  ///< values of the parameters, as in the table
+    std::size_t point = 0;            ///< number of the point; rows of the same values have the same
+    std::int64_t seed = 0;            ///< seed of the scene
     SceneChoice choice;
-    std::uint64_t scene = 0;     ///< hash of the settings that variant and overrides make of the file
-    std::uint64_t files = 0;     ///< hash of what the scene's files hold
-    std::uint64_t identity = 0;  ///< hash of both, and of how the run is measured: what a result belongs to
-    double duration = 0;         ///< of the scene
+    std::uint64_t scene = 0;     ///< hash of the scene's settings, with variant and overrides
+    std::uint64_t files = 0;     ///< hash of the content of the scene's files
+    std::uint64_t identity = 0;  ///< hash of `scene`, `files` and the way of measuring; results refer to it
+    double duration = 0;         ///< duration of the scene, in its unit of time
 };
 
-/// The rows of a study and what is common to them.
+/// Rows of a study, and their common data.
 struct StudyRows {
-    std::filesystem::path scene;   ///< absolute
-    std::filesystem::path python;  ///< absolute; empty: none
+    std::filesystem::path scene;   ///< absolute path
+    std::filesystem::path python;  ///< absolute path; empty: none
     std::uint64_t program = 0;     ///< hash of this program
     std::vector<StudyRow> rows;
 };
 
-/// Reads the scene of each row. build: also looks at the meshes and all else that a scene is built of, of
-/// rows that have the first, the smallest and the largest value of each parameter, and each value that is no
-/// number. Throws Error (input) with what the scenes are refused for, each reason once.
+/// Reads the scene of each row. build: also builds the scenes of rows that have the first, the smallest and
+/// the largest value of each parameter, and each value that is no number. Throws Error (input) with the
+/// mistakes in the scenes, each once.
 StudyRows study_rows(const Study& study, bool build);
 
-/// The command line that repeats a row, but for its recording: arguments of the program.
+/// Returns the command line that repeats a row, without its recording: arguments of the program.
 std::vector<std::string> row_arguments(const StudyRows& rows, const StudyRow& row);
 
-/// The same to be typed into a shell.
+/// Returns the command line that repeats a row, to be typed into a shell.
 std::string row_command(const StudyRows& rows, const StudyRow& row);
 
 }  // namespace sherd

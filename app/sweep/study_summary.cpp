@@ -14,7 +14,7 @@ std::string estimate_cell(double value) {
     return std::isfinite(value) ? fmt::format("{:.6g}", value) : "";
 }
 
-/// The rows of each point: they follow each other.
+/// Returns the range of rows of each point, which are consecutive.
 std::vector<std::pair<std::size_t, std::size_t>> point_ranges(const StudyRows& rows) {
     std::vector<std::pair<std::size_t, std::size_t>> ranges;
     for (std::size_t i = 0; i < rows.rows.size(); ++i) {

@@ -8,8 +8,9 @@
 
 namespace sherd {
 
-/// Of each point of a study: the parameters, how many rows are done and failed, and of each measure the mean
-/// of its rows with its interval: the columns NAME, NAME.low and NAME.high.
+/// Returns a row for each point of a study: the parameters, the numbers of rows that are done and that
+/// failed, and for each measure the mean of its rows with its interval, in the columns NAME, NAME.low and
+/// NAME.high.
 CsvRows study_summary(const StudyRows& rows, const StudyTable& table);
 
 }  // namespace sherd

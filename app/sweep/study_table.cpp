@@ -17,7 +17,7 @@
 namespace sherd {
 namespace {
 
-/// What one row, and its result if it has one, says in a column.
+/// Makes a column. cell: returns the cell of a row from its result, null if it has none.
 template <class Cell>
 StudyColumn make_column(const std::string& group, const std::string& name, const std::string& unit,
                         const StudyRows& rows, const RowResults& results, Cell cell) {
@@ -33,7 +33,7 @@ std::string number_cell(double value) {
     return fmt::format("{}", value);
 }
 
-/// Names of measures that the study asks for: without any, of all that a row has.
+/// Names of measures that the study asks for; if it asks for none, of all that its rows have.
 std::vector<std::string> measure_names(const Study& study, const StudyRows& rows, const RowResults& results) {
     if (!study.measures.empty()) return study.measures;
     std::vector<std::string> names;

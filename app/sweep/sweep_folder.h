@@ -13,35 +13,35 @@
 
 namespace sherd {
 
-// What is in the folder of a sweep:
+// Contents of the folder of a sweep:
 //
 //     rows/*.jsonl   journals of results
-//     runs/*.h5      recordings that are kept, or that a killed run goes on with
+//     runs/*.h5      recordings that are kept, or of killed runs that can be resumed
 //     study.csv, study.h5, summary.csv, summary.svg
 
-/// Makes the folder and those in it.
+/// Creates the folder and its subfolders.
 void make_sweep_folder(const std::filesystem::path& folder);
 
-/// The journal of the rows from `begin` to `end`, the last one not included.
+/// Returns the journal of the rows from `begin` to `end`, the last one not included.
 std::filesystem::path journal_file(const std::filesystem::path& folder, std::size_t begin, std::size_t end);
 
 RowResults results_in(const std::filesystem::path& folder);
 
-/// How far a study is.
+/// Progress of a study.
 struct SweepState {
-    std::vector<std::size_t> missing = {};  ///< rows to run: of those with the same scene the first
-    std::vector<std::size_t> failed = {};   ///< all that failed
+    std::vector<std::size_t> missing = {};  ///< rows to run: the first of those with the same scene
+    std::vector<std::size_t> failed = {};   ///< all rows that failed
     std::size_t done = 0;
-    std::size_t of_other_program = 0;  ///< done or failed by another build of it
-    std::size_t foreign = 0;           ///< results of rows that the study does not have
+    std::size_t of_other_program = 0;  ///< number of rows done or failed by another build of the program
+    std::size_t foreign = 0;           ///< number of results of rows that the study does not have
 };
 SweepState sweep_state(const StudyRows& rows, const RowResults& results);
 
-/// For people, of the rows that failed: the first ones with their messages.
+/// Returns lines for users on the rows that failed: the first ones with their messages.
 std::string failed_lines(const StudyRows& rows, const RowResults& results,
                          std::span<const std::size_t> failed);
 
-/// Writes the tables and the pictures; returns their names. lock: of study.csv in the folder.
+/// Writes the tables and the pictures; returns their paths. lock: of study.csv in the folder.
 std::vector<std::filesystem::path> write_tables(const Study& study, const StudyRows& rows,
                                                 const RowResults& results, const OutputLock& lock);
 

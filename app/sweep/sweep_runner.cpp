@@ -15,11 +15,11 @@
 namespace sherd {
 namespace {
 
-constexpr int patience = 50;          // ms until an interruption is seen
-constexpr double most_of_row = 0.99;  // the rest is to measure it
+constexpr int patience = 50;          // ms, longest delay of an interruption
+constexpr double most_of_row = 0.99;  // share of the run in a row's progress; the rest is its measurement
 
-/// Whether an interruption has ended a row. SIGTERM to all processes of a job, as Slurm cancels one, may end
-/// the row before this process has heard of it, and is waited for.
+/// Whether an interruption has ended a row. SIGTERM to all processes of a job, with which Slurm cancels one,
+/// may end the row before this process receives it, and is waited for.
 bool is_cut_short(const RowResult& row) {
     constexpr int terminated = signal_base + SIGTERM;
     constexpr auto pause = std::chrono::milliseconds(10), longest = std::chrono::milliseconds(1000);

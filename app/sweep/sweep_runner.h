@@ -11,18 +11,17 @@
 
 namespace sherd {
 
-/// Runs rows of a study side by side, each in a process of its own, and shows how far all are.
+/// Runs rows of a study concurrently, each in a child process, and shows their progress.
 class SweepRunner {
   public:
-    /// wanted: numbers of the rows to run. known: of them and of others, for the progress. All must outlive
-    /// this.
+    /// wanted: indices of the rows to run. study and rows must outlive this object.
     SweepRunner(const Study& study, const StudyRows& rows, std::filesystem::path folder,
                 std::vector<std::size_t> wanted, int jobs);
 
-    /// Appends the result of each row that comes to its end. After an interruption rows are ended, of which
-    /// those that did not end well by themselves have no result.
+    /// Appends the result of each row that ends. An interruption ends the rows; those that it cuts short have
+    /// no result.
     void run(ResultJournal& journal);
-    bool stopped = false;  ///< an interruption has ended them
+    bool stopped = false;  ///< whether an interruption has ended the rows
 
   private:
     void start_some();
@@ -37,7 +36,7 @@ class SweepRunner {
     std::vector<std::size_t> wanted;
     int jobs, threads;
     std::list<RowRun> running;
-    std::size_t next = 0;  ///< of `wanted`
+    std::size_t next = 0;  ///< index in `wanted`
     std::size_t done = 0, failed = 0;
     ProgressDisplay display;
     ProgressMeter meter;

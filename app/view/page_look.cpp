@@ -37,7 +37,7 @@ PageLook::Arrays PageLook::arrays(const Snapshot& frame) const {
     Arrays arrays;
     for (const double x : look.texture.reshaped())
         arrays.texture.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(x)));
-    std::vector<std::uint32_t> number;  // of each row of the frame
+    std::vector<std::uint32_t> number;  // index of each of the frame's materials
     for (const SurfaceMaterial& material : look.materials)
         number.push_back(static_cast<std::uint32_t>(std::ranges::find(known, material) - known.begin()));
     for (std::size_t f = 0; f < frame.faces.size(); ++f) {

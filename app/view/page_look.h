@@ -10,27 +10,27 @@
 
 namespace sherd {
 
-/// How the sheets of a recording look on its page: as the files of their meshes paint them.
+/// Look of a recording's sheets on its page, from the files of their meshes.
 class PageLook {
   public:
-    /// Of a frame: arrays of numbers of which the page is told the changes. Empty: none has any.
+    /// Arrays of a frame, of which the page gets the changes. Empty: none of the look.
     struct Arrays {
         std::vector<std::uint32_t> texture;   ///< [6 F] bits of the floats u and v of the corners
-        std::vector<std::uint32_t> material;  ///< [F] numbers of materials()
-        std::vector<std::uint32_t> colour;    ///< [3 F] of corners: red + 256 green + 65536 blue
+        std::vector<std::uint32_t> material;  ///< [F] indices of materials()
+        std::vector<std::uint32_t> colour;    ///< [3 F] colours of corners: red + 256 green + 65536 blue
     };
 
     struct Material {
-        std::uint32_t colour;  ///< 0xRRGGBB (sRGB), which colours of corners multiply
-        std::int32_t picture;  ///< of pictures(), instead of the colour; -1: none
+        std::uint32_t colour;  ///< 0xRRGGBB (sRGB), multiplied by the colours of corners
+        std::int32_t picture;  ///< index of pictures(), instead of the colour; -1: none
     };
 
-    /// look: of the unbroken mesh. Pictures get at most so many bytes of the page; `warnings` gets a sentence
-    /// for each that cannot be read, or not as it is.
+    /// look: of the unfractured mesh. Pictures take at most `picture_bytes` of the page; `warnings` gets a
+    /// sentence for each that cannot be read, or is reduced.
     PageLook(const SurfaceLook& look, std::size_t picture_bytes, std::vector<std::string>& warnings);
 
     Arrays arrays(const Snapshot& frame) const;
-    /// Those of the files, and behind them one for faces that have none.
+    /// Materials of the files, and behind them one for faces without a material.
     const std::vector<Material>& materials() const { return drawn; }
     const PagePictures& pictures() const { return files; }
 
@@ -43,7 +43,7 @@ class PageLook {
     PagePictures files;
 };
 
-/// About what arrays of such a look take in a page, before any changes.
+/// Approximate size of such arrays in a page, bytes, without changes.
 std::size_t look_bytes(const SurfaceLook& look, std::size_t faces);
 
 }  // namespace sherd

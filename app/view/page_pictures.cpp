@@ -19,7 +19,7 @@ std::size_t page_bytes(const PictureFile& content) {
 std::int32_t PagePictures::add(const std::filesystem::path& file) {
     const auto known = std::ranges::find(pictures, file, &Picture::file);
     if (known != pictures.end()) return static_cast<std::int32_t>(known - pictures.begin());
-    read_picture(file);  // a browser would say nothing of a damaged one
+    read_picture(file);  // throws on a damaged picture, which a browser would not report
     pictures.push_back({file, read_picture_file(file)});
     return static_cast<std::int32_t>(pictures.size()) - 1;
 }

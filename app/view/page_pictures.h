@@ -9,24 +9,25 @@
 
 namespace sherd {
 
-/// Pictures that are part of a page, each once.
+/// Pictures embedded in a page, each once.
 class PagePictures {
   public:
-    /// The number of a picture. Throws Error naming the file if it cannot be read.
+    /// Returns the index of a picture, and adds it if it is new. Throws Error naming the file if it cannot be
+    /// read.
     std::int32_t add(const std::filesystem::path& file);
 
-    /// Halves the largest, as often as it takes, until all of them take at most so many bytes of the page;
-    /// `warnings` gets a sentence for each that is smaller then.
+    /// Halves the largest picture repeatedly, until all take at most `most_bytes` of the page; `warnings`
+    /// gets a sentence for each that is smaller then.
     void fit(std::size_t most_bytes, std::vector<std::string>& warnings);
 
-    std::size_t bytes() const;              ///< of the page
-    std::vector<std::string> urls() const;  ///< with all that is in them ("data:")
+    std::size_t bytes() const;              ///< size of all in the page
+    std::vector<std::string> urls() const;  ///< with their content ("data:")
 
   private:
     struct Picture {
         std::filesystem::path file;
         PictureFile content;
-        Image smaller = {};  ///< what is in `content`, if it is not the file
+        Image smaller = {};  ///< image in `content`, if it has been halved
     };
     static void halve(Picture& picture);
 

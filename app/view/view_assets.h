@@ -3,10 +3,10 @@
 
 #include <string_view>
 
-/// Files that the build puts into the program.
+/// Files that the build embeds in the program.
 namespace sherd::view_assets {
 
-extern const std::string_view page;      ///< view_page.html, with %NAMES% for what is filled in
+extern const std::string_view page;      ///< view_page.html, with placeholders %NAME%
 extern const std::string_view three;     ///< three.js, minified (MIT licence)
 extern const std::string_view controls;  ///< three.js' OrbitControls
 extern const std::string_view playback;  ///< view_playback.js

@@ -30,7 +30,8 @@ struct Line {
     ViewState state;
 };
 
-/// Edges that are drawn: those that failed, and all that are open; the rim as it was made counts as unbroken.
+/// Edges to be drawn: those that failed, and all that are open; on the rim of the unfractured mesh they count
+/// as unbroken.
 std::vector<Line> lines_of(const Snapshot& frame) {
     std::vector<Line> lines;
     const std::vector<std::array<bool, 3>> open = open_edges(frame.faces), rim = rim_edges(frame.rest);
@@ -75,7 +76,7 @@ std::vector<std::uint32_t> owners_of(const Snapshot& frame) {
     return {frame.face_fragment.begin(), frame.face_fragment.end()};
 }
 
-/// Pairs of a place and its new value; there may be more of them than before.
+/// Pairs of an index and its new value; `after` may be longer.
 std::vector<std::uint32_t> changes(const std::vector<std::uint32_t>& before,
                                    const std::vector<std::uint32_t>& after) {
     std::vector<std::uint32_t> pairs;
@@ -85,14 +86,14 @@ std::vector<std::uint32_t> changes(const std::vector<std::uint32_t>& before,
     return pairs;
 }
 
-/// What corners that faces keep do not say of where a frame's mesh was in the one before.
+/// Places in the frame before that do not follow from the corners that faces keep.
 struct Births {
-    std::vector<std::uint32_t> vertices;  ///< number, and three of before between which it was
-    std::vector<float> shares;            ///< of these three
-    std::vector<std::uint32_t> parts;     ///< pairs of a face and the one of before that it is a part of
+    std::vector<std::uint32_t> vertices;  ///< number, and three earlier vertices between which it was
+    std::vector<float> shares;            ///< shares of these three vertices
+    std::vector<std::uint32_t> parts;     ///< pairs of a face and the earlier face of which it is a part
 };
 
-/// By corners that faces keep alone, as the page knows it.
+/// Returns the earlier vertices as the page finds them, from the corners that faces keep.
 std::vector<Index> vertices_before(const Snapshot& earlier, const Snapshot& later) {
     std::vector<Index> before(later.position.cols());
     for (std::size_t v = 0; v < before.size(); ++v)
@@ -119,7 +120,7 @@ Births births(const Snapshot& earlier, const Snapshot& later) {
     return births;
 }
 
-/// Packs one frame after the other.
+/// Packs frames in their order.
 class Packer {
   public:
     Packer(const RenderStage& stage, const std::optional<PageLook>& look)
@@ -157,12 +158,12 @@ class Packer {
         return packed;
     }
 
-    const PageLook* look;  ///< null: it is left out
+    const PageLook* look;  ///< null: left out
     Vector3d low, step;
     RenderColour colour;
-    double largest;                              ///< what the brightest colour stands for
-    std::vector<std::uint32_t> corners, owners;  ///< of the frame before
-    PageLook::Arrays looks;                      ///< likewise
+    double largest;                              ///< value of the brightest colour
+    std::vector<std::uint32_t> corners, owners;  ///< in the frame before
+    PageLook::Arrays looks;                      ///< in the frame before
     Snapshot before;
 
   private:
@@ -176,7 +177,7 @@ class Packer {
     }
 };
 
-/// Of the first frame.
+/// Look of the first frame.
 PageJson look_json(const PageLook& look, const PageLook::Arrays& arrays) {
     PageJson materials = PageJson::array();
     for (const PageLook::Material& material : look.materials())
@@ -188,7 +189,7 @@ PageJson look_json(const PageLook& look, const PageLook::Arrays& arrays) {
             {"colour", base64_of(arrays.colour)}};
 }
 
-/// Their shapes, each in its own frame, but those of planes, which are the ground.
+/// Shapes of obstacles, each in its own frame, without planes, which are the ground.
 PageJson obstacles_json(const std::vector<RecordedObstacle>& obstacles) {
     PageJson list = PageJson::array();
     for (const RecordedObstacle& obstacle : obstacles) {
@@ -204,7 +205,8 @@ PageJson obstacles_json(const std::vector<RecordedObstacle>& obstacles) {
     return list;
 }
 
-/// Of each of these 4 x 4 numbers, column by column, from its frame to places seen from `origin`.
+/// Poses of all obstacles but planes: 4 x 4 numbers each, column by column, from its own frame to space
+/// relative to `origin`.
 std::string packed_poses(const std::vector<RecordedObstacle>& obstacles, std::vector<Eigen::Isometry3d> poses,
                          const Vector3d& origin) {
     std::vector<float> numbers;
@@ -216,7 +218,7 @@ std::string packed_poses(const std::vector<RecordedObstacle>& obstacles, std::ve
     return base64_of(numbers);
 }
 
-/// Of each of these the points that it has in this frame, m; none of one that is rigid.
+/// Points of all obstacles but planes in this frame, m; empty for rigid ones.
 PageJson packed_shapes(const std::vector<RecordedObstacle>& obstacles, const ObstacleShapes& shapes) {
     PageJson list = PageJson::array();
     for (std::size_t i = 0; i < shapes.size(); ++i) {
@@ -229,7 +231,8 @@ PageJson packed_shapes(const std::vector<RecordedObstacle>& obstacles, const Obs
     return list;
 }
 
-/// Of each tip: its number, place (m) seen from `origin`, direction, speed, G / G_c, K_I, K_II, k_1 and k_2.
+/// Numbers of each tip: its number, place (m) relative to `origin`, direction, speed, G / G_c, K_I, K_II, k_1
+/// and k_2.
 std::string packed_tips(std::span<const TipRecord> tips, const Vector3d& origin) {
     std::vector<float> numbers;
     const auto add = [&](auto... values) { (numbers.push_back(static_cast<float>(values)), ...); };
@@ -247,7 +250,7 @@ PageJson bar_json(const ColourBar& bar) {
     return {{"title", bar.title}, {"ticks", ticks}, {"below", bar.below}, {"above", bar.above}};
 }
 
-/// poses: of the obstacles in the first frame, in which the ground stands.
+/// poses: of the obstacles in the first frame, for the ground.
 PageJson stage_json(const RenderStage& stage, std::span<const Eigen::Isometry3d> poses) {
     PageJson planes = PageJson::array();
     for (const RenderPlane& plane : stage.ground(poses))

@@ -12,19 +12,19 @@
 
 namespace sherd {
 
-/// What the page reads, whose keys are in the order of the alphabet.
+/// JSON for the page, with keys in alphabetical order.
 using PageJson = nlohmann::json;
 
-/// Frames of `count` that are shown when a frame takes `frame_bytes` and there are `most_bytes` for all:
-/// every one, or as many as there is room for at nearly equal distances; the first and the last always.
+/// Returns the frames of `count` to be shown if a frame takes `frame_bytes` and all may take `most_bytes`:
+/// every one, or as many as fit, at nearly equal distances; the first and the last always.
 std::vector<std::size_t> shown_frames(std::size_t count, std::size_t frame_bytes, std::size_t most_bytes);
 
-/// What the page of a recording has to know, as view_page.html reads it. Arrays are in base64: positions as
-/// 16 bits of the box of the action in each direction; corners and owners of the faces (fragments) and what
-/// they look like as pairs of a place and its new value, against the frame before; where vertices and faces
-/// that were born since the frame before were in that; the thickness of the last frame's faces (none in
-/// recordings of before there was any); the shapes of obstacles, and in each frame where they are. thinning:
-/// of the meshes; none: as recorded. look: of meshes that are not thinned; none: it is left out.
+/// Returns the data of a recording's page, as view_page.html reads them. Arrays are in base64: positions as
+/// 16 bits of RenderStage::everything() in each direction; corners, fragments and look of the faces as pairs
+/// of an index and its new value, against the frame before; places of inserted vertices and faces in the
+/// frame before; the thickness of the last frame's faces (none in recordings of older versions); the shapes
+/// of obstacles, and their poses in each frame. thinning: of the meshes; none: as recorded. look: of meshes
+/// that are not thinned; none: left out.
 PageJson view_data(const Recording& recording, const RenderStage& stage,
                    const std::vector<std::size_t>& frames, const std::optional<MeshThinning>& thinning = {},
                    const std::optional<PageLook>& look = {});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 "use strict";
-// Sheets as the files of their meshes paint them. Colours of vertices multiply those of the material.
+// Draws sheets with the materials, pictures and colours of their mesh files. Colours of vertices multiply the
+// material's.
 
 function sheetMaterial(rgb) {
     return new THREE.MeshLambertMaterial({ color: rgb, vertexColors: THREE.VertexColors, side: THREE.DoubleSide,
@@ -8,11 +9,11 @@ function sheetMaterial(rgb) {
 }
 
 class Paint {
-    // look: materials as pairs of a colour and the number of a picture, or -1; pictures as URLs. redraw: is called when
-    // one is there; until then the colour stands for it.
+    // look: materials as pairs of a colour and the number of a picture, or -1; pictures as URLs. redraw: called when a
+    // picture has been loaded; until then the material's colour replaces it.
     constructor(look, redraw) {
         this.materials = [...look.materials.map(([rgb]) => sheetMaterial(rgb)), sheetMaterial(0xcebfab)];
-        this.broken = this.materials.length - 1;  // where a sheet broke, no picture goes on
+        this.broken = this.materials.length - 1;  // material of crack faces, which have no picture
         this.loaded = 0;
         look.pictures.forEach((url, number) => new THREE.TextureLoader().load(url, picture => {
             picture.wrapS = picture.wrapT = THREE.RepeatWrapping;
@@ -25,8 +26,8 @@ class Paint {
         }));
     }
 
-    // A geometry of triangles by material, and their fragments, of an indexed one. corners: of each corner of a
-    // triangle, that of a face, or -1 where it broke.
+    // Turns an indexed geometry into one with triangles sorted by material; returns it with the triangles' fragments.
+    // corners: for each corner of a triangle, the corner of a face, or -1 on a crack face.
     painted(indexed, corners, fragments, look) {
         const { order, starts } = this.byMaterial(corners, fragments.length, look);
         const places = new Uint32Array(corners.length), shown = new Int32Array(corners.length);
@@ -50,7 +51,7 @@ class Paint {
         return [geometry, Array.from(order, t => fragments[t])];
     }
 
-    // Numbers of the triangles, sorted, and where each material starts.
+    // Triangle numbers sorted by material, and the start of each material among them.
     byMaterial(corners, count, look) {
         const material = t => corners[3 * t] < 0 ? this.broken : look.material[Math.floor(corners[3 * t] / 3)];
         const starts = new Uint32Array(this.materials.length + 1), order = new Uint32Array(count);
@@ -61,7 +62,7 @@ class Paint {
         return { order, starts };
     }
 
-    // So many of the values for each of the places; 0 for -1.
+    // Picks `width` values for each of the places; 0 for -1.
     static taken(values, width, places) {
         const result = new Float32Array(width * places.length);
         for (let i = 0; i < places.length; ++i)

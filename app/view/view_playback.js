@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 "use strict";
-// The run at any moment. A position is the number of a frame of the page, or lies between two: 3.25 is a quarter of
-// the way from frame 3 to frame 4. What holds there is what app/playback/interpolation.h says.
+// States of the run at any time. A position is the number of a frame of the page, or a number between two: 3.25 is a
+// quarter of the way from frame 3 to frame 4. app/playback/interpolation.h defines the state there.
 
 function decoded(base64, Type) {
     const text = atob(base64), bytes = new Uint8Array(text.length);
@@ -9,7 +9,7 @@ function decoded(base64, Type) {
     return new Type(bytes.buffer);
 }
 
-// Faces, fragments and looks of one frame after the other: they are stored as what changes from the frame before.
+// Faces, fragments and looks of a frame, which are stored as changes from the frame before.
 class Topology {
     constructor(recording) {
         this.recording = recording;
@@ -37,10 +37,10 @@ class Topology {
         return this;
     }
 
-    // Of faces and their corners, as app/view/page_look.h says.
+    // Arrays of the look, of faces and their corners, see app/view/page_look.h.
     static get looks() { return ["texture", "material", "colour"]; }
 
-    // pairs of a place and its new value; faces that were born make the array longer.
+    // pairs: a place and its new value, alternating. Inserted faces make the array longer.
     static changed(numbers, pairs) {
         let length = numbers.length;
         for (let i = 0; i < pairs.length; i += 2) length = Math.max(length, pairs[i] + 1);
@@ -57,7 +57,7 @@ class Playback {
         this.earlier = new Topology(recording);
         this.later = new Topology(recording);
         this.unpacked = new Map();
-        // In metres, in its own frame; obstacles turn about it.
+        // Centres of the obstacles, m, in their own frames; obstacles turn about them between frames.
         this.middles = recording.obstacles.map(obstacle => {
             const points = decoded(obstacle.points, Float32Array), middle = new THREE.Vector3();
             for (let i = 0; i < points.length; i += 3) middle.add(new THREE.Vector3().fromArray(points, i));
@@ -79,7 +79,7 @@ class Playback {
         return k == this.last ? k : k + Math.max(0, (time - times[k]) / (times[k + 1] - times[k]));
     }
 
-    // The arrays of a frame; those around the moment are kept.
+    // The arrays of a frame; those of the frames before and after the current position are cached.
     frame(number) {
         if (!this.unpacked.has(number)) {
             const packed = this.recording.frames[number], whole = decoded(packed.position, Uint16Array);
@@ -94,8 +94,8 @@ class Playback {
         return this.unpacked.get(number);
     }
 
-    // frame: the one before; faces, fragments and their look (or null); of vertices place (m), scalar and state; lines;
-    // poses of obstacles, and points (m) of those that deform; tips of cracks.
+    // The state at a position. frame: number of the frame before; faces, fragments and their look (or null); place (m),
+    // scalar and state of vertices; lines; poses of obstacles, shapes: points (m) of deforming ones; tips of cracks.
     at(position) {
         const number = Math.min(this.last, Math.max(0, Math.floor(position))), share = position - number;
         for (const known of this.unpacked.keys()) if (known < number || known > number + 1) this.unpacked.delete(known);
@@ -117,7 +117,7 @@ class Playback {
                  tips };
     }
 
-    // SI units; share: G / G_c.
+    // Tips of cracks, in SI units; share: G / G_c.
     static tipsOf(packed) {
         const names = ["number", "x", "y", "z", "dx", "dy", "dz", "speed", "share", "K_I", "K_II", "k_1", "k_2"], tips = [];
         for (let i = 0; i < packed.length; i += names.length)
@@ -125,7 +125,7 @@ class Playback {
         return tips;
     }
 
-    // Those of the earlier frame, which move to where they are in the later one, if they are still there.
+    // The tips of the earlier frame, moving to their places in the later one if they still exist there.
     static tipsBetween(from, to, share) {
         return from.map(tip => {
             const end = to.find(other => other.number == tip.number) || tip, place = {};
@@ -134,8 +134,8 @@ class Playback {
         });
     }
 
-    // The earlier frame's vertex that each of the later one was: faces keep their corners. One that was born since
-    // then lies between three; the one with the largest share stands for it.
+    // The earlier frame's vertex for each vertex of the later one, found by the corners of faces, which stay. A vertex
+    // that was inserted since then lies between three parents; the parent with the largest weight stands for it.
     static before(earlierFaces, laterFaces, later, earlierCount) {
         const before = Uint32Array.from({ length: later.place.length / 3 }, (_, v) => Math.min(v, earlierCount - 1));
         for (let i = 0; i < earlierFaces.length; ++i) before[laterFaces[i]] = earlierFaces[i];
@@ -146,7 +146,7 @@ class Playback {
         return before;
     }
 
-    // Values of the earlier frame's vertices, so many for each, at the vertices of the later one.
+    // Values of the earlier frame's vertices, `width` for each, at the vertices of the later one.
     static carried(values, width, before, later) {
         const result = new Float32Array(width * before.length);
         before.forEach((from, v) => { for (let x = 0; x < width; ++x) result[width * v + x] = values[width * from + x]; });

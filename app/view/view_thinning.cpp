@@ -11,16 +11,16 @@
 namespace sherd {
 namespace {
 
-using Cube = std::array<std::int64_t, 4>;  ///< the sheet, and the place in the grid
+using Cube = std::array<std::int64_t, 4>;  ///< the sheet, and the indices in the grid
 
-/// Edges that became one.
+/// Edges merged into one.
 struct MergedEdge {
     EdgeState state;
-    double strain = 0;  ///< sum of the hinges' magnitudes
+    double strain = 0;  ///< sum of |strain| of the hinges
     int hinges = 0;
 };
 
-/// The more telling of two.
+/// State of two merged edges: fractured if one of them is, else interior if one of them is.
 EdgeState merged(EdgeState a, EdgeState b) {
     for (const EdgeState state : {EdgeState::fractured_interior, EdgeState::interior})
         if (a == state || b == state) return state;
@@ -46,7 +46,8 @@ void merge_edges(const Snapshot& frame, std::span<const Index> merged_vertex, Sn
     }
 }
 
-/// For each face of the unbroken mesh, the part of it that has corners in three cubes; itself when none has.
+/// Returns, for each face of the unfractured mesh, the part of it that has corners in three cubes, or itself
+/// if none has.
 std::vector<std::size_t> faces_standing_for_their_parents(const RestMesh& rest, std::span<const Index> cube) {
     std::vector<std::size_t> standing(rest.unbroken_faces.size());
     std::iota(standing.begin(), standing.end(), std::size_t{0});
@@ -57,7 +58,7 @@ std::vector<std::size_t> faces_standing_for_their_parents(const RestMesh& rest, 
     return standing;
 }
 
-/// The middle of the vertices that are merged to each of `count`.
+/// Middle of the vertices that are merged into each of `count`.
 Positions merged_positions(const Snapshot& frame, std::span<const Index> merged_vertex, Index count) {
     Positions position = Positions::Zero(3, count);
     VectorXd members = VectorXd::Zero(count);
@@ -70,7 +71,7 @@ Positions merged_positions(const Snapshot& frame, std::span<const Index> merged_
     return position;
 }
 
-/// The fields of the faces that stand for those that are kept, whose axes they keep.
+/// Fields of the faces that represent the kept ones, in the axes of the former.
 FaceFields fields_of(const Snapshot& frame, std::span<const std::size_t> kept,
                      std::span<const std::size_t> standing) {
     FaceFields fields = frame.fields;
@@ -101,7 +102,7 @@ MeshThinning::MeshThinning(const RecordingHeader& header, std::span<const Index>
         const auto& [a, b, c] = header.rest_faces[f];
         if (cubes[a] != cubes[b] && cubes[b] != cubes[c] && cubes[c] != cubes[a]) kept.push_back(f);
     }
-    // Only those that a face needs have a number.
+    // Only cubes of kept faces get a number.
     std::vector<Index> number(numbers.size(), -1);
     for (const std::size_t f : kept)
         for (const Index v : header.rest_faces[f])
@@ -110,7 +111,7 @@ MeshThinning::MeshThinning(const RecordingHeader& header, std::span<const Index>
         if (cube_number >= 0) cube_number = number[cube_number];
 }
 
-/// Of each vertex at rest: that of the nearest vertex of the unbroken mesh between which it lies.
+/// Cube of each vertex at rest: that of the nearest of its parents in the unfractured mesh.
 std::vector<Index> MeshThinning::cubes_of(const RestMesh& rest) const {
     std::vector<Index> result;
     for (std::size_t v = 0; v < rest.vertex_parents.size(); ++v) {
@@ -127,8 +128,8 @@ Snapshot MeshThinning::thinned(const Snapshot& frame) const {
     coarse.time = frame.time;
     const std::vector<Index> cube = cubes_of(frame.rest);
     const std::vector<std::size_t> standing = faces_standing_for_their_parents(frame.rest, cube);
-    // Of cube and fragment. One of each cube has the cube's number, so that few numbers change with the
-    // fragments.
+    // Vertices by cube and fragment. One vertex of each cube has the cube's number, so that few numbers
+    // change with the fragments.
     std::map<std::pair<Index, Index>, Index> numbers;
     std::vector<char> given(count, 0);
     Index more = count;

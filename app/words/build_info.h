@@ -5,8 +5,8 @@
 
 namespace sherd {
 
-/// A program's origin, a line each without an end of line at the last: commit, compiler, libraries with their
-/// versions.
+/// Returns the origin of the program, a line each, without a newline at the end: commit, compiler, libraries
+/// with their versions.
 std::string build_info();
 
 }  // namespace sherd

@@ -5,7 +5,7 @@
 
 namespace sherd {
 
-/// A time of a run in the unit that it has (RecordingHeader::time_unit): "0.5 s", or in statics "load 0.5".
+/// Returns a time of a run with its unit (RecordingHeader::time_unit): "0.5 s", or in statics "load 0.5".
 inline std::string moment_words(const std::string& number, const std::string& unit) {
     return unit == "s" ? number + " s" : unit + " " + number;
 }

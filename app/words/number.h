@@ -6,7 +6,7 @@
 
 namespace sherd {
 
-/// The finite number that a text is, all of it; none if it is anything else.
+/// Parses a text that is a finite number and nothing else; otherwise none.
 std::optional<double> number_of(std::string_view text);
 
 }  // namespace sherd

@@ -6,8 +6,8 @@
 
 namespace sherd {
 
-/// Numbers with commas between them, as an option has them: "1,2.5". Throws Error (input), naming the option,
-/// when one of them is none.
+/// Parses the numbers of an option, with commas between them: "1,2.5". Throws Error (input), naming the
+/// option, if one of them is not a finite number.
 std::vector<double> number_list(const std::string& option, const std::string& text);
 
 }  // namespace sherd

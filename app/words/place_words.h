@@ -8,7 +8,7 @@
 
 namespace sherd {
 
-// How messages say where something is; positions in m.
+// Places in messages; positions in m.
 
 std::string place_words(const Vector3d& at);          ///< "(0.1, 0.02, 0.03) m"
 std::string face_words(const Mesh& mesh, Face face);  ///< "face 12 at (0.1, 0.02, 0.03) m", its centroid

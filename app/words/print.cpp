@@ -9,7 +9,7 @@
 namespace sherd {
 namespace {
 
-/// Whether stdout is a pipe that nobody reads any more.
+/// Whether stdout is a pipe without a reader.
 bool has_lost_reader() {
     pollfd stream{STDOUT_FILENO, POLLOUT, 0};
     return poll(&stream, 1, 0) == 1 && (stream.revents & POLLERR) != 0;

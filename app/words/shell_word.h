@@ -6,10 +6,10 @@
 
 namespace sherd {
 
-/// A word as a shell takes it, in quotes where it needs them.
+/// Returns a word as a shell reads it, in quotes if necessary.
 std::string shell_word(const std::string& word);
 
-/// A path as an argument that no program takes for an option: "./-a.toml".
+/// Returns a path as an argument that no program takes for an option: "./-a.toml".
 std::string path_argument(const std::filesystem::path& path);
 
 }  // namespace sherd

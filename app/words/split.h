@@ -6,7 +6,7 @@
 
 namespace sherd {
 
-/// What stands between the separators of a text, before the first and after the last, which may be empty.
+/// Splits a text at each separator; parts may be empty.
 std::vector<std::string> split(const std::string& text, char separator);
 
 }  // namespace sherd

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# cmake -D SOURCE=FOLDER -D COMMIT=TEXT -D HEADER=FILE -P write_commit.cmake: defines SHERD_COMMIT in HEADER as TEXT or, where
-# that is empty, as the commit that SOURCE has checked out. Leaves a HEADER alone that says so already.
+# cmake -D SOURCE=FOLDER -D COMMIT=TEXT -D HEADER=FILE -P write_commit.cmake: writes HEADER, which defines SHERD_COMMIT
+# as TEXT or, if TEXT is empty, as the commit that SOURCE has checked out. Does not touch a HEADER that has this content
+# already.
 function(git result)
     execute_process(COMMAND git -C ${SOURCE} ${ARGN} OUTPUT_VARIABLE text OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET
                     RESULT_VARIABLE code)

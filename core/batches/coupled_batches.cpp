@@ -154,7 +154,7 @@ void CoupledBatches::find_of_tangents(Index begin, Index end) {
     });
 }
 
-/// What the angles to tangents in which the fold has a share do by it.
+/// Derivative of the energy by a fold's angle through its shares in the angles to tangents, N m.
 double CoupledBatches::moment(Index fold) const {
     double sum = 0;
     for (Index i = shared.start[fold]; i < shared.start[fold + 1]; ++i) {

@@ -11,13 +11,13 @@ namespace sherd {
 
 /// The derivative of the energy of coupled hinges by the angles of folds. A face's energy is quadratic in the
 /// angles from its facet to the tangents at its sides, and those follow from the angles of folds by shares
-/// (FaceCurvature): the sum is CoupledBending's in another order.
+/// (FaceCurvature). The energy is that of CoupledBending, summed in another order.
 class CoupledBatches {
   public:
     void build(const Shell& shell, const CoupledBending& bending);
-    /// of_mirrors: changes of their angles, rad; they become the energy's derivatives by them, N m.
+    /// of_mirrors: changes of the mirrors' angles, rad; replaced by the energy's derivatives by these, N m.
     void find(const PaddedPositions& x, const Threads& threads, std::vector<double>& of_mirrors);
-    /// Of the hinges at the sides of faces.
+    /// Derivatives of the energy by the angles of hinges at the sides of faces, from the last find().
     const SideMoments& moments() const { return at_sides; }
 
   private:
@@ -28,9 +28,10 @@ class CoupledBatches {
     };
     /// Four faces.
     struct alignas(sizeof(Lanes)) Faces {
-        /// Twice the energy is the square of the angles at the sides with it, N m: 00, 11, 22, 01, 02, 12.
+        /// Quadratic form, N m, of the angles at the sides, whose value is twice the energy: 00, 11, 22, 01,
+        /// 02, 12.
         std::array<Lanes, 6> rigidity;
-        std::array<LaneIndices, 3> tangents;  ///< numbers of these angles
+        std::array<LaneIndices, 3> tangents;  ///< numbers of these angles in `tangents`
     };
     /// The rows of a sparse matrix.
     struct Rows {
@@ -47,7 +48,7 @@ class CoupledBatches {
 
     void build_hinges(const CoupledBending& bending);
     void build_faces(const CoupledBending& bending);
-    /// Among the folds here; that of a mirror comes after the hinges.
+    /// Number of a fold among the folds here: hinges come first, then mirrors.
     Index number(const CoupledBending& bending, Index fold) const;
 
     void find_changes(Index begin, Index end, const PaddedPositions& x);
@@ -56,15 +57,15 @@ class CoupledBatches {
     void find_moments(Index begin, Index end);
     double moment(Index fold) const;
 
-    Index of_hinges = 0, folds = 0;  ///< how many folds are hinges, in whole batches, and all
+    Index of_hinges = 0, folds = 0;  ///< numbers of hinges, filled up to whole batches, and of all folds
     const Shell* shell = nullptr;
     std::vector<Hinges> hinges;
     std::vector<Faces> faces;
-    Rows shares;                             ///< of folds in the angles to T0's tangents
-    Rows shared;                             ///< the same by fold
-    std::vector<double> changes, of_length;  ///< rad and 1/m, of folds: since the start; one over the length
-    /// rad, to the tangents of T0 and T1 of each fold, and of free sides, where they are zero; and the
-    /// energy's derivatives by them, N m.
+    Rows shares;  ///< shares of folds (columns) in the angles to T0's tangents (rows)
+    Rows shared;  ///< transpose of `shares`
+    std::vector<double> changes, of_length;  ///< rad, folds' changes; 1/m, one over hinges' lengths
+    /// For each fold the changes of the angles from the facets of T0 and of T1 to the tangent, then zeros for
+    /// free sides, rad; and the energy's derivatives by them, N m.
     std::vector<double> tangents, of_tangents;
     SideMoments at_sides;
 };

@@ -6,8 +6,8 @@
 
 namespace sherd {
 
-/// The elastic energies of a shell as one, for minimisers, which ask for its gradient most: that comes in
-/// batches (ElasticGradient).
+/// Sum of the elastic energies of a shell, for minimisers. The gradient, which they need most often, is
+/// computed in batches (ElasticGradient).
 class ElasticEnergy : public Energy {
   public:
     /// Shell and energies must outlive this object. options: of the energies.
@@ -23,7 +23,7 @@ class ElasticEnergy : public Energy {
     void add_gradient(const Positions& x, Positions& gradient) const override;
     void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const override;
     void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const override;
-    /// The parts are visited by whose they are.
+    /// Visits nothing: the owner of the parts visits them.
     void visit_state(StateVisitor& visit) override {
         [[maybe_unused]] auto& [parts, batches] = *this;
         if (visit.reads()) batches.shell_changed();

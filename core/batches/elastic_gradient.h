@@ -7,23 +7,23 @@
 
 namespace sherd {
 
-/// The gradient of the elastic energies of a shell, for those who ask for it again and again: that of
-/// ShellEnergies::elastic() but for round-off, in batches where the models have them (constant strain, and
-/// coupled hinges that do not yield or cubic ones), and from the energies themselves where not. It has the
-/// same bits with any number of threads.
+/// The gradient of the elastic energies of a shell, for repeated evaluation. It is that of
+/// ShellEnergies::elastic() up to round-off, computed in batches where the models have them (constant strain,
+/// cubic hinges, and with constant strain coupled hinges that do not yield), else by the energies themselves.
+/// It has the same bits with any number of threads.
 class ElasticGradient {
   public:
     /// Shell and energies must outlive this object. options: of the energies.
     ElasticGradient(const Shell& shell, const ShellEnergies& energies, const ShellEnergyOptions& options,
                     Threads threads);
     ElasticGradient(const ElasticGradient&) = delete;
-    /// Must be called when the shell has changed, or its state was put back.
+    /// Must be called when the shell has changed, or its state has been restored.
     void shell_changed() { built = false; }
 
-    /// Finds it at x, [3, V] m.
+    /// Finds the gradient at x, [3, V] m.
     void find(const Positions& x);
-    /// Puts the forces that were found, N, on the vertices from `begin` to before `end` into theirs of [3,
-    /// V].
+    /// Writes the forces of the last find(), N, on the vertices from `begin` to before `end` to their columns
+    /// of `forces`, [3, V].
     void put_forces(Index begin, Index end, Positions& forces) const;
     /// The gradient at x, N, [3, V].
     Positions at(const Positions& x);
@@ -34,10 +34,10 @@ class ElasticGradient {
 
     const Shell& shell;
     Threads threads;
-    const CoupledBending* coupled = nullptr;         ///< in batches; null: is not
-    const std::vector<CubicHinge>* cubic = nullptr;  ///< the same
+    const CoupledBending* coupled = nullptr;         ///< coupled bending, if it is in batches; else null
+    const std::vector<CubicHinge>* cubic = nullptr;  ///< cubic hinges, if they are in batches; else null
     bool of_membrane;                                ///< whether the membrane is in batches
-    std::vector<const Energy*> others;               ///< those that are not
+    std::vector<const Energy*> others;               ///< energies that are not in batches
 
     bool built = false;
     PaddedPositions positions;
@@ -45,10 +45,10 @@ class ElasticGradient {
     FaceBatches faces;
     HingeBatches hinges;
     CoupledBatches bends;
-    std::vector<Index> mirrors;  ///< of coupled hinges, with numbers of folds
+    std::vector<Index> mirrors;  ///< numbers of the mirrors of coupled hinges among the folds
     std::vector<double> of_mirrors;
     std::vector<Folds::Slope> slopes;
-    Positions unbatched;  ///< N, [3, V], of the others and of mirrors
+    Positions unbatched;  ///< N, [3, V], gradient of `others` and of mirrors
 };
 
 }  // namespace sherd

@@ -9,7 +9,7 @@ namespace {
 
 using LanesMatrix = Eigen::Matrix<Lanes, 3, 3>;
 
-/// Where the symmetric matrix of a batch has an entry.
+/// Index, in a batch's six numbers, of each entry of the symmetric matrix.
 constexpr int entry[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
 
 }  // namespace

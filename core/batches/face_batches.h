@@ -10,8 +10,8 @@ namespace sherd {
 
 /// Derivatives of an energy by the dihedral angles at the sides of faces in batches.
 struct SideMoments {
-    std::vector<std::array<LaneIndices, 3>> sides;  ///< of each batch, numbers in what follows
-    std::vector<double> per_length;                 ///< N, over the side's length
+    std::vector<std::array<LaneIndices, 3>> sides;  ///< sides of each batch, as numbers in per_length
+    std::vector<double> per_length;                 ///< N, derivatives over the sides' lengths
 
     LanesVector of(Index batch) const {
         const auto& [a, b, c] = sides[batch];
@@ -22,22 +22,22 @@ struct SideMoments {
 /// The faces of a shell in batches, with the gradient of their membrane energy (constant strain).
 class FaceBatches {
   public:
-    /// The corners of all faces are appended to `corners`.
+    /// Makes the batches, and appends the corners of all faces to `corners`.
     void build(const Shell& shell, CornerSums& corners);
     Index size() const { return static_cast<Index>(batches.size()); }
 
-    /// Puts the gradients, N, of the batches from `begin` to before `end` into their corners, with what
-    /// bending adds; null: none.
+    /// Writes the gradients, N, of the batches from `begin` to before `end` to their corners, with those of
+    /// bending, if it is given.
     void find(Index begin, Index end, const PaddedPositions& x, const SideMoments* bending,
               CornerSums& corners) const;
 
   private:
     struct alignas(sizeof(Lanes)) Batch {
         std::array<std::array<Lanes, 2>, 2>
-            derivatives;                 ///< of the second and the third corner, see MembraneTriangle
+            derivatives;  ///< 1/m, MembraneTriangle::derivatives of the second and the third corner
         std::array<Lanes, 6> stiffness;  ///< area times elasticity, J: 00, 11, 22, 01, 02, 12
         std::array<LaneIndices, 3> vertices;
-        Index place;  ///< of the first corner
+        Index place;  ///< place of the first corner
     };
     std::vector<Batch> batches;
 };

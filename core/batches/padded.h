@@ -10,18 +10,18 @@
 
 namespace sherd {
 
-/// A point or a force in space, with a fourth number that means nothing, as memory gives it at once.
+/// A point or a force in space, padded by an unused fourth number so that it is read at once.
 struct alignas(sizeof(Lanes)) Padded {
     Lanes coordinates;
 };
 using PaddedPositions = std::vector<Padded>;
 
-/// One vector of each of four elements.
+/// Vectors, one of each of four elements.
 using LanesVector = Eigen::Matrix<Lanes, 3, 1>;
-/// One number of each of four elements, as memory has it.
+/// Indices, one of each of four elements, in a row.
 using LaneIndices = std::array<Index, Lanes::count>;
 
-/// Those of four vertices.
+/// The vectors of four vertices.
 inline LanesVector gather(const PaddedPositions& all, const LaneIndices& vertices) {
     Lanes a = all[vertices[0]].coordinates, b = all[vertices[1]].coordinates,
           c = all[vertices[2]].coordinates, d = all[vertices[3]].coordinates;
@@ -29,7 +29,7 @@ inline LanesVector gather(const PaddedPositions& all, const LaneIndices& vertice
     return {a, b, c};
 }
 
-/// Puts them into four places from `first` on.
+/// Writes four vectors to the places from `first` on.
 inline void scatter(const LanesVector& vectors, Padded* first) {
     Lanes a = vectors[0], b = vectors[1], c = vectors[2], d = 0;
     transpose(a, b, c, d);
@@ -47,16 +47,16 @@ inline void scatter(const Lanes& values, const LaneIndices& at, std::vector<doub
     for (int lane = 0; lane < Lanes::count; ++lane) all[at[lane]] = values[lane];
 }
 
-/// How many batches of four there are of so many elements.
+/// Number of batches of four for a number of elements.
 constexpr Index batches_of(std::size_t elements) {
     return static_cast<Index>((elements + Lanes::count - 1) / Lanes::count);
 }
 
-/// How many elements batch b has, of so many in all.
+/// Number of elements in batch b, of `elements` in all.
 constexpr int present_in(Index b, std::size_t elements) {
     return std::min<int>(Lanes::count, static_cast<int>(elements) - b * Lanes::count);
 }
-/// The element of a lane; the last one again where there are no more.
+/// The element of a lane; the last element is repeated in the lanes that are left over.
 constexpr Index element_of(Index b, int lane, std::size_t elements) {
     return std::min(b * Lanes::count + lane, static_cast<Index>(elements) - 1);
 }

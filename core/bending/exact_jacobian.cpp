@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Apart from the energies, which who only reads a scene does not need.
+// In a file of its own, so that code that only reads scenes does not need the energies.
 #include "core/bending/bending.h"
 
 namespace sherd {

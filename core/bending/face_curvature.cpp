@@ -7,8 +7,8 @@
 namespace sherd {
 namespace {
 
-/// What is left of a curvature once the face has bent at its free sides, each of which adds a multiple of its
-/// column of `free`, in the way that costs the least energy.
+/// Curvature of a face after it has bent at its free sides, each of which adds a multiple of its column of
+/// `free`, such that the energy is least.
 Vector3d relaxed(const Vector3d& curvature, const Eigen::Matrix3Xd& free, const Matrix3d& elasticity) {
     const Matrix3d root = elasticity.llt().matrixU();
     const Eigen::ColPivHouseholderQR<Eigen::Matrix3Xd> bent(root * free);
@@ -57,7 +57,7 @@ void FaceCurvature::renumber(const Patches::Change& change) {
 std::vector<Patches::Share> FaceCurvature::shares_of(Index edge) const {
     const auto [first, second] = *patches.sides_of(edge);
     const PlaneTriangle &near = patches.triangle(first.triangle), &far = patches.triangle(second.triangle);
-    // Alone, the angle is shared like a constant curvature across the edge.
+    // Without other folds, the angle is shared as for a constant curvature across the edge.
     const double height = height_over_side(near, first.corner);
     const double own = height / (height + height_over_side(far, second.corner));
     return patches.shares(first, tangent_angle(near, first.corner),

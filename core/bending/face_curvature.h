@@ -29,11 +29,11 @@ class FaceCurvature {
     /// Shell and folds must outlive this object.
     FaceCurvature(const Shell& shell, const Folds& folds);
 
-    /// Must be called when the shell has changed. Only the faces that see something of the change are
-    /// computed anew, which it returns by ascending number.
+    /// Must be called when the shell has changed. Only the faces that depend on a part of the change are
+    /// computed again; returns them by ascending number.
     std::vector<Index> follow(const ShellChange& change);
 
-    /// What the change of curvature of a face consists of.
+    /// Terms of the change of curvature of a face.
     std::span<const Term> terms(std::size_t face) const { return faces[face]; }
     /// The change of curvature of a face, (00, 11, 2 * 01), 1/m. changes: of all folds' angles, rad.
     Vector3d of(std::size_t face, const VectorXd& changes) const {
@@ -43,9 +43,9 @@ class FaceCurvature {
     }
 
     /// The curvature of a face, (00, 11, 2 * 01) in a column, for each radian from its facet to the tangent
-    /// at a side, 1/m, with what its free sides do then; those of free sides are zero.
+    /// at a side, 1/m, with the bending of its free sides that follows; columns of free sides are zero.
     Matrix3d per_tangent(Index face) const;
-    /// How the angle from T0's facet to the tangent at an edge with a hinge follows from the angles of folds.
+    /// Weights of folds in the angle from T0's facet to the tangent at an edge with a hinge.
     std::span<const Patches::Share> shares_of_first(Index edge) const { return shares[edge]; }
     /// Whether the side at an edge with a hinge is T0's.
     bool is_first(Index edge, const TriangleEdge& side) const {
@@ -53,7 +53,7 @@ class FaceCurvature {
         return first.triangle == side.triangle && first.corner == side.corner;
     }
 
-    /// The faces' sides and what folds are there.
+    /// The faces' sides and their folds.
     const Patches& around() const { return patches; }
 
     void visit_state(StateVisitor& visit) {
@@ -70,8 +70,8 @@ class FaceCurvature {
     const Shell& shell;
     const Folds& folds;
     Patches patches;
-    /// [E] How the angle between T0's facet and the tangent at the edge follows from the angles of folds
-    /// around; empty without a hinge.
+    /// [E] weights of the folds around in the angle between T0's facet and the tangent at the edge; empty
+    /// without a hinge.
     std::vector<std::vector<Patches::Share>> shares;
     std::vector<std::vector<Term>> faces;  ///< [F]
 };

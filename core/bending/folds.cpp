@@ -65,7 +65,7 @@ VectorXd Folds::angles(const Positions& x) const {
 
 VectorXd Folds::angles(const Positions& x, std::span<const Index> some) const {
     VectorXd all = VectorXd::Zero(size());
-    std::size_t first = 0;  // of edges, which come after mirrors
+    std::size_t first = 0;  // index of the first edge; edges come after mirrors
     for (; first < some.size() && some[first] < folds_of_edges(); ++first)
         all[some[first]] = hinge_angle(positions(some[first], x));
     const auto edges = some.subspan(first);

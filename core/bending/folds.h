@@ -14,11 +14,11 @@ namespace sherd {
 /// zero.
 class Folds {
   public:
-    /// A fold's angle as the sheet sees it; a mirror's image is no vertex of its own.
+    /// A fold's angle, and its gradient by the sheet's vertices; the apex of a mirror image is no vertex.
     struct Slope {
         std::array<Index, 4> vertices;  ///< -1: no vertex
         double angle;                   ///< rad
-        HingePositions gradient;        ///< of the angle, 1/m
+        HingePositions gradient;        ///< gradient of the angle, 1/m
     };
 
     /// The shell must outlive this object.
@@ -30,7 +30,7 @@ class Folds {
     Eigen::Index size() const {
         return folds_of_edges() + static_cast<Eigen::Index>(shell.edge_hinge.size());
     }
-    /// The side that has the mirror behind it.
+    /// The side of a triangle at which a mirror is.
     const TriangleEdge& mirror_side(Index mirror) const { return mirrors[mirror].side; }
     const Mirrors& all_mirrors() const { return mirrors; }
     std::array<Index, 4> vertices(Index fold) const;  ///< -1: no vertex
@@ -38,12 +38,12 @@ class Folds {
     void collect(Index fold, std::vector<Index>& vertices) const;
 
     double rest_angle(Index fold) const;        ///< rad
-    VectorXd rest_angles() const;               ///< of all folds, rad
-    VectorXd angles(const Positions& x) const;  ///< of all folds, rad
-    /// Those that have an angle: mirrors, then edges with a hinge, in the order of hinges.
+    VectorXd rest_angles() const;               ///< rest angles of all folds, rad
+    VectorXd angles(const Positions& x) const;  ///< angles of all folds, rad
+    /// Folds that have an angle: mirrors, then edges with a hinge, in the order of hinges.
     std::vector<Index> present() const;
-    // With a list of present folds, the functions below look at these alone. What they say of others has no
-    // meaning, but is an angle of zero.
+    // With a list of present folds, the functions below compute these alone. Entries of others are undefined,
+    // but angles are zero.
     VectorXd angles(const Positions& x, std::span<const Index> some) const;
     std::vector<Slope> slopes(const Positions& x) const { return slopes(x, present()); }
     std::vector<Slope> slopes(const Positions& x, std::span<const Index> some) const {
@@ -51,26 +51,28 @@ class Folds {
         find_slopes(x, some, all);
         return all;
     }
-    /// The same in a buffer, which is made large enough.
+    /// Writes slopes into a buffer, which is made large enough.
     void find_slopes(const Positions& x, std::span<const Index> some, std::vector<Slope>& all,
                      const Threads& threads = Threads()) const;
     VectorXd angles(std::span<const Slope> slopes, std::span<const Index> some) const;  ///< rad
     /// Adds the gradient of an energy with the derivatives of_angles, N m, by the angles of all folds.
     void add_gradient(std::span<const Slope> slopes, const VectorXd& of_angles, Positions& gradient,
                       std::span<const Index> some) const;
-    /// Must be called when the shell has changed. Where its triangles have, mirrors may be more than before.
+    /// Must be called when the shell has changed. Where triangles have changed, there may be more mirrors
+    /// than before.
     void follow(const ShellChange& change) { mirrors.follow(change); }
     /// Appends the rest angles of new edges to angles of all folds; where triangles have changed, all angles
     /// become rest angles.
     void extend(const ShellChange& change, VectorXd& angles) const;
 
-    /// Adds what the angles' own second derivatives give to its Hessian.
+    /// Adds the contribution of the angles' second derivatives to the Hessian of such an energy.
     void add_hessian(const Positions& x, const VectorXd& of_angles, BlockMatrix& hessian) const {
         add_hessian(x, of_angles, hessian, present());
     }
     void add_hessian(const Positions& x, const VectorXd& of_angles, BlockMatrix& hessian,
                      std::span<const Index> some) const;
-    /// Of each mirror. What other folds do to their vertices has neither net force nor net torque.
+    /// Gradient of such an energy for each mirror. The forces of other folds on their vertices have neither
+    /// net force nor net torque.
     std::vector<MirrorGradient> mirror_gradients(const Positions& x, const VectorXd& of_angles) const;
 
     void visit_state(StateVisitor& visit) {

@@ -9,7 +9,7 @@
 
 namespace sherd {
 
-// These call the overloads declared for a kind of hinge, from within structs that have members of the same
+// Calls of the overloads declared for a kind of hinge, from within structs that have members of the same
 // names.
 template <class Hinge>
 double value_of(const Hinge& hinge, const HingePositions& x) {
@@ -29,8 +29,8 @@ template <class Hinge>
 struct HingeElements {
     /// The shell's stencils, which must outlive this object; they hold the vertices.
     const std::vector<HingeStencil>* stencils;
-    const Positions* rest;      ///< [3, V] m, from which hinges are made; must live when a change is followed
-    std::vector<Hinge> hinges;  ///< one for each stencil
+    const Positions* rest;      ///< [3, V] m, from which hinges are made; must exist when follow() is called
+    std::vector<Hinge> hinges;  ///< hinge of each stencil
 
     std::size_t size() const { return hinges.size(); }
     const std::array<Index, 4>& vertices(std::size_t i) const { return (*stencils)[i].vertices; }

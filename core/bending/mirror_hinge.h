@@ -19,11 +19,11 @@ struct MirrorHinge {
     Vector3d normal;   ///< unit normal of the plane, which contains the side at rest
     double offset;     ///< m, normal . x of the plane's points
     double stiffness;  ///< lambda, N m
-    Index script = 0;  ///< 0, or the number, from 1, of the scripted motion of the plane
+    Index script = 0;  ///< 0, or the number, from 1, of the prescribed motion of the plane
 };
 
 /// The hinge that clamps a side: it keeps the sheet's rest tangent across it. The side's ends must be fixed,
-/// or follow one scripted motion, which then moves the tangent, too. stiffness: lambda, N m.
+/// or follow one prescribed motion, which then moves the tangent, too. stiffness: lambda, N m.
 MirrorHinge clamp_hinge(const Shell& shell, const TriangleEdge& side, double stiffness);
 
 /// The hinge across a symmetry plane through the side. normal: unit length. stiffness: lambda, N m.
@@ -36,22 +36,22 @@ class Mirrors {
     /// The shell must outlive this object.
     Mirrors(const Shell& shell, std::vector<MirrorHinge> hinges);
     void begin(const StepContext& step);
-    /// Where a mirror's side was split, the second part of it is appended.
+    /// Must be called when the shell has changed. Where a mirror's side was split, its second part is
+    /// appended.
     void follow(const ShellChange& change);
 
     std::size_t size() const { return hinges.size(); }
     const MirrorHinge& operator[](std::size_t i) const { return hinges[i]; }
-    /// Number at the start of the mirror that this one is, or is a part of.
+    /// Number, at the start, of the mirror of which this one is the whole or a part.
     std::size_t origin(std::size_t i) const { return origins[i]; }
     std::array<Index, 3> vertices(std::size_t i) const { return edge_and_apex(shell, hinges[i].side); }
     /// The triangle and its image as a hinge, m.
     HingePositions with_image(std::size_t i, const Positions& x) const;
-    /// The same at rest, when the plane contains the side.
+    /// The triangle and its image at rest as a hinge, m; the plane contains the side.
     HingePositions rest(std::size_t i) const;
-    /// The derivative of the hinge's vertices by those of the triangle is the identity, and this for the
-    /// image's apex by the apex.
+    /// Derivative of the image's apex by the apex; for the other vertices of the hinge it is the identity.
     Matrix3d reflection(std::size_t i) const;
-    /// A Hessian by the hinge's vertices, as one by those of the triangle, [9, 9].
+    /// Converts a Hessian by the hinge's vertices into one by those of the triangle, [9, 9].
     Eigen::Matrix<double, 9, 9> folded(std::size_t i, const HingeHessian& hessian) const;
     void visit_state(StateVisitor& visit) {
         auto& [shell, at_rest, hinges, origins] = *this;
@@ -65,7 +65,7 @@ class Mirrors {
 };
 
 /// The derivative of a mirror hinge's energy by the vertices of its triangle, N; its forces on them are the
-/// negative. A vertex may be there twice; -1 is none.
+/// negative. A vertex may occur twice; -1: no vertex.
 struct MirrorGradient {
     std::array<Index, 4> vertices;
     HingePositions gradient;
@@ -76,7 +76,7 @@ class MirrorEnergy : public Energy {
   public:
     /// The shell must outlive this object.
     MirrorEnergy(const Shell& shell, std::vector<MirrorHinge> hinges);
-    std::vector<MirrorGradient> gradients(const Positions& x) const;  ///< of each
+    std::vector<MirrorGradient> gradients(const Positions& x) const;  ///< gradient of each hinge
     void begin(const StepContext& step) override { mirrors.begin(step); }
     void topology_changed(const ShellChange& change, const StepContext& step) override;
     double value(const Positions& x) const override;
@@ -94,7 +94,7 @@ class MirrorEnergy : public Energy {
     void find_bending();
 
     Mirrors mirrors;
-    std::vector<CubicHinge> bending;  ///< of each mirror hinge
+    std::vector<CubicHinge> bending;  ///< bending energy of each mirror hinge
 };
 
 }  // namespace sherd

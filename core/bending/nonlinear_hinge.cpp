@@ -28,7 +28,7 @@ NonlinearHinge nonlinear_hinge(const HingePositions& rest, double stiffness) {
 }
 
 double value(const NonlinearHinge& hinge, const HingePositions& x) {
-    // This is 1 - cos without its cancellation.
+    // Equals 1 - cos(theta - thetabar), without its cancellation.
     return 0.5 * hinge.scale * (DihedralAngle(x).turn() - hinge.rest_turn).squaredNorm();
 }
 

@@ -12,8 +12,8 @@
 namespace sherd {
 namespace {
 
-/// Singular values of a patch's angles, over the edge's length, under which it is grown, and under which what
-/// it cannot see is left as it is.
+/// Singular values of a patch's angles over the edge's length: below `sees_well` the patch is grown, below
+/// `sees_hardly` weights are not corrected.
 constexpr double sees_well = 0.2, sees_hardly = 0.05;
 constexpr std::array<Index, 3> no_folds{-1, -1, -1};
 
@@ -22,15 +22,15 @@ Vector3d invariant(const Vector3d& tensor) {
     return {tensor[0], tensor[1], std::numbers::sqrt2 * tensor[2]};
 }
 
-/// All sides of the six triangles of a grown patch. With a bound nothing of what follows needs the heap.
+/// All sides of the six triangles of a grown patch. With this bound the matrices below need no heap.
 constexpr int most_folds = 18;
 /// [folds, 3]; JacobiSVD needs a dynamic number of columns, too.
 using AnglesOfFolds = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_folds, 3>;
 using Weights = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_folds, 1>;  ///< [folds]
 using Decomposition = Eigen::JacobiSVD<AnglesOfFolds>;
 
-/// The smallest change of `weights` after which their sum of the folds' angles is `target`, as far as the
-/// angles see it. svd: of the angles.
+/// Weights after the smallest change that makes their sum of the folds' angles `target`, as far as the angles
+/// determine it. svd: of the angles.
 Weights corrected(const Weights& weights, const AnglesOfFolds& angles, const Decomposition& svd,
                   const Vector3d& target) {
     Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> missing =
@@ -42,7 +42,7 @@ Weights corrected(const Weights& weights, const AnglesOfFolds& angles, const Dec
     return weights + svd.matrixU() * missing;
 }
 
-/// How well the angles tell curvatures from each other: the smallest singular value.
+/// Measure of how well the angles distinguish curvatures: the smallest singular value.
 double sight(const AnglesOfFolds& angles, const Decomposition& svd) {
     return angles.rows() < 3 ? 0 : svd.singularValues()[2];
 }
@@ -121,7 +121,7 @@ void Patches::enter_mirrors(Change& result) {
     for (Index m = 0; m < first_edge; ++m) enter(m, folds.mirror_side(m), result);
 }
 
-/// among: faces that have all sides of these hinges.
+/// among: faces that contain all sides of these hinges.
 void Patches::enter_hinges(std::span<const Index> hinges, std::span<const Index> among, Change& result) {
     const std::vector<std::array<TriangleEdge, 2>> sides = sides_of_hinges(shell, hinges, among);
     for (std::size_t i = 0; i < hinges.size(); ++i) {
@@ -138,7 +138,7 @@ void Patches::enter(Index fold, const TriangleEdge& side, Change& result) {
     fold_of_side[side.triangle][side.corner] = fold;
 }
 
-/// Whatever sees a face has a share of one of its folds.
+/// Marks a face and its folds: every sum that depends on the face has a share of one of them.
 void Patches::touch(Index face, Change& result) const {
     result.faces.push_back(face);
     for (const Index fold : fold_of_side[face])
@@ -171,7 +171,7 @@ std::vector<Patches::Unfolded> Patches::grown(const std::vector<Unfolded>& patch
         for (int side = 0; side < 3; ++side) {
             if (fold_of_side[at.triangle][side] < first_edge) continue;
             const Unfolded next = across(at, side);
-            // One that is next to both triangles is unfolded across either edge.
+            // A triangle next to both is unfolded across either edge.
             if (std::ranges::find(patch, next.triangle, &Unfolded::triangle) == patch.end())
                 all.push_back(next);
         }
@@ -200,8 +200,8 @@ std::vector<Patches::FoldAngle> Patches::folds_of(const std::vector<Unfolded>& p
             known->angle += angle_of(at, side);
             ++known->views;
         }
-    // Where a curved patch closes around a vertex, its two ends see a fold in different directions. The mean
-    // does not depend on their order.
+    // Where a curved patch closes around a vertex, a fold has different directions as seen from its two ends.
+    // The mean does not depend on their order.
     for (FoldAngle& fold : seen) fold.angle /= fold.views;
     return seen;
 }

@@ -12,23 +12,23 @@
 
 namespace sherd {
 
-/// The triangles around a side, unfolded into a plane, and what the angles of their folds say of the sheet's
-/// curvature there. A patch has the triangles on either side, and those around them where these alone tell
-/// curvatures badly from each other. What comes out depends on the rest shape and on which hinges are left,
-/// and on nothing else.
+/// The triangles around a side, unfolded into a plane, and the weights by which the angles of their folds
+/// give the sheet's curvature there. A patch has the triangles on either side, and those around them where
+/// these alone hardly distinguish curvatures. The weights depend on the rest shape and on which hinges are
+/// left, and on nothing else.
 class Patches {
   public:
-    /// What a fold's angle counts in a sum over a patch.
+    /// Weight of a fold's angle in a sum over a patch.
     struct Share {
         Index fold;
         double weight;
     };
-    /// What a change of the shell means for sums over patches.
+    /// Effect of a change of the shell on sums over patches.
     struct Change {
-        Index first_edge;          ///< number of edge 0 among folds, before
-        Index more_mirrors;        ///< by which the numbers of edges have grown since
-        std::vector<Index> faces;  ///< with another shape, or other folds at their sides, ascending
-        /// [folds] 1: every sum in which the fold has a share must be made anew.
+        Index first_edge;          ///< number of edge 0 among folds, before the change
+        Index more_mirrors;        ///< number of new mirrors, by which the numbers of edges grow
+        std::vector<Index> faces;  ///< faces with another shape, or other folds at their sides, ascending
+        /// [folds] 1: every sum in which the fold has a share must be computed again.
         std::vector<char> folds;
 
         /// The fold's number after the change.
@@ -55,8 +55,9 @@ class Patches {
     double side_length(const TriangleEdge& side) const;  ///< m
 
     /// Shares with which the patch of a side sums the angles of its folds to target . k on every surface of
-    /// constant curvature k (of small angles): the smallest change of `start` alone that does, as far as the
-    /// patch sees curvatures. target: components 00, 11, 01 in the frame of the side's triangle.
+    /// constant curvature k (of small angles): the smallest change of `start` alone with this property, as
+    /// far as the patch distinguishes curvatures. target: components 00, 11, 01 in the frame of the side's
+    /// triangle.
     std::vector<Share> shares(const TriangleEdge& side, const Vector3d& target,
                               std::optional<Share> start = {}) const;
 
@@ -72,11 +73,11 @@ class Patches {
         Index triangle;
         double angle;
     };
-    /// What a curvature means for the angle of a fold, as a tensor in the frame of a patch.
+    /// Angle of a fold as a linear function of curvature: a tensor in the frame of a patch.
     struct FoldAngle {
         Index fold;
         Vector3d angle;
-        int views;  ///< number of the patch's triangles that it is the mean of
+        int views;  ///< number of the patch's triangles from which it is a mean
     };
 
     void build();
@@ -84,14 +85,14 @@ class Patches {
     void reshape(const ShellChange& change, Change& result);
     void enter_mirrors(Change& result);
     void enter_hinges(std::span<const Index> hinges, std::span<const Index> among, Change& result);
-    /// Whether patches go on across a fold.
+    /// Whether patches continue across a fold.
     bool is_smooth(Index fold) const { return std::abs(folds.rest_angle(fold)) <= sharpest; }
     void enter(Index fold, const TriangleEdge& side, Change& result);
     void touch(Index face, Change& result) const;
 
     Unfolded across(const Unfolded& from, int side) const;
     std::vector<Unfolded> grown(const std::vector<Unfolded>& patch) const;
-    /// What a curvature means for the angle of the fold at a side that has one.
+    /// Angle of the fold at a side that has one, as a linear function of curvature, m.
     Vector3d angle_of(const Unfolded& at, int side) const;
     std::vector<FoldAngle> folds_of(const std::vector<Unfolded>& patch) const;
 
@@ -101,7 +102,7 @@ class Patches {
     Index first_edge = 0;                                    ///< number of edge 0 among folds
     std::vector<PlaneTriangle> triangles;                    ///< [F]
     std::vector<std::array<Index, 3>> fold_of_side;          ///< [F] -1: free
-    std::vector<std::array<TriangleEdge, 2>> sides_of_edge;  ///< [E] that its hinge joins
+    std::vector<std::array<TriangleEdge, 2>> sides_of_edge;  ///< [E] sides that the edge's hinge joins
 };
 
 }  // namespace sherd

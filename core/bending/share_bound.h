@@ -3,8 +3,8 @@
 
 namespace sherd {
 
-/// Bound on the curvature, 1/m, along a side of this length (m) that SideCurvature sees where no fold is
-/// turned by more than `angle` (rad): most sheets are so flat that no more has to be known.
+/// Bound on the curvature, 1/m, along a side of this length (m) that SideCurvature finds where no fold is
+/// turned by more than `angle` (rad): most sheets are so flat that this bound suffices.
 double most_side_curvature(double length, double angle);
 
 }  // namespace sherd

@@ -17,11 +17,11 @@ namespace sherd {
 /// All contact of a run: of sheets and their fragments, obstacles and free bodies.
 class Contact {
   public:
-    /// The shell must outlive this object. gravity: m/s^2, acts on the bodies. threads: who shares contact of
+    /// The shell must outlive this object. gravity: m/s^2, acts on the bodies. threads: share the contact of
     /// sheets.
     Contact(const Shell& shell, ContactOptions options, const Vector3d& gravity,
             const Threads& threads = Threads());
-    Contact(const Contact&) = delete;  // its energies refer to its obstacles
+    Contact(const Contact&) = delete;  // energies refer to its obstacles
 
     /// The contact energies, in the order in which they begin a step and are summed.
     std::vector<Energy*> energies();
@@ -32,18 +32,20 @@ class Contact {
     bool empty() const { return !body_contact && !sheet_contact; }
     /// Throws std::runtime_error if sheets overlap at the beginning of the step.
     void require_apart() const;
-    /// Fraction, 0 to 1, of a motion [3, V] m from the beginning of the step that passes through nothing,
-    /// while obstacles move to their places at its end.
+    /// Fraction, 0 to 1, of a motion [3, V] m from the beginning of the step that is free of collisions,
+    /// while obstacles move to their poses at its end.
     double free_way(const Positions& motion);
     /// Displacement in the step, m, [3, V], by which moving obstacles push the vertices near them; zero for
     /// other vertices.
     Positions pushed_along() const;
-    /// Lets the bodies make the step that ends with the shell at x, which is not finished yet.
+    /// Moves the bodies to the end of the step, with the shell at x; the step stays open.
     void end_at(const Positions& x);
-    /// Whether the bodies can make the step that ends with the shell at x; else it is too long for them.
+    /// Whether the optimal poses of the bodies have been found for the shell at x; if not, the step is too
+    /// long.
     bool bodies_arrive(const Positions& x) const { return !body_contact || body_contact->arrive(x); }
-    /// Whether anything passes through what it meets in the step that ends with the shell at x: the shell
-    /// straight, obstacles and bodies by their screws. A minimiser may have gone around a rim.
+    /// Whether sheets, obstacles or bodies pass through each other in the step that ends with the shell at x.
+    /// The shell moves straight, obstacles by their motion, bodies along their screws. The iterates of a
+    /// minimiser may have gone around a rim.
     bool passes(const StepContext& step, const Positions& x) const;
     /// Ends the step with the shell at x.
     void finish(const Positions& x);
@@ -52,17 +54,17 @@ class Contact {
     const std::vector<RigidBody>& bodies() const;
     std::vector<char> crossed() const;               ///< see surface_pairs()
     double stored_energy(const Positions& x) const;  ///< elastic energy of all contacts, J
-    double stored_at_start() const;                  ///< the same at the beginning of the step
-    /// What friction takes in the step that ends at x, J.
+    double stored_at_start() const;                  ///< J, at the beginning of the step
+    /// Energy dissipated by friction in the step that ends at x, J.
     double friction_loss(const Positions& x) const;
-    /// Work, J, of the obstacles that move as they are told, in the step that ends at x.
+    /// Work, J, of the obstacles, which move and deform as prescribed, in the step that ends at x.
     double obstacle_work(const StepContext& step, const Positions& x) const;
     /// Null if there are no bodies.
     const BodyContact* of_bodies() const { return body_contact.get(); }
     Touch touch(const Positions& x) const;  ///< with obstacles and bodies
     /// The reactions of the obstacles: their forces on sheets and bodies.
     std::vector<Reaction> reactions(const Positions& x) const;
-    Positions lip_forces(const Positions& x) const;                                   ///< N, [3, V]
+    Positions lip_forces(const Positions& x) const;  ///< N, [3, V], between crack faces (lips)
     double lip_overlap(const Positions& x) const { return lips.largest_overlap(x); }  ///< m
     void visit_state(StateVisitor& visit) {
         auto& [shell, options, body_contact, obstacle_contact, sheet_contact, sheet_friction, lips] = *this;

@@ -12,8 +12,8 @@ struct ContactOptions {
     std::vector<char> crossed = {};      ///< see surface_pairs()
     bool sheets = false;                 ///< whether sheets collide with each other and with themselves
     double friction = 0;                 ///< Coulomb coefficient between sheets
-    /// Whether implicit steps may go on wherever explicit ones end: pairs stay apart as barriers must have
-    /// it.
+    /// Whether implicit steps may follow explicit ones, which then fail where a pair gets too near for a
+    /// barrier.
     bool barriers_follow = false;
 };
 

@@ -7,8 +7,8 @@
 
 namespace sherd {
 
-/// Below it the arc tangent's series is used, whose rest is below round-off, in a fraction of the time of
-/// std::atan2.
+/// Tangent below which the arc tangent's series is used: its remainder is below round-off, and it takes a
+/// fraction of the time of std::atan2.
 inline constexpr double small_tangent = 0.125;
 
 template <class Real>
@@ -19,7 +19,7 @@ Real small_arc_tangent(const Real& tangent) {
     return tangent + tangent * (even - odd);
 }
 
-/// As std::atan2, rad.
+/// Angle of std::atan2(y, x), rad.
 inline double arc_tangent(double y, double x) {
     const double tangent = y / x;
     const bool small = x > 0 && tangent * tangent < small_tangent * small_tangent;

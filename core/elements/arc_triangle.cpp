@@ -18,12 +18,12 @@ Matrix3d strain_of_squares(const MembraneTriangle& triangle) {
     return strain;
 }
 
-/// The way along a side.
+/// Vector along a side, m.
 Vector3d along(const TrianglePositions& x, int side) {
     return x.col((side + 2) % 3) - x.col((side + 1) % 3);
 }
 
-/// Ways along the sides at rest, in the rest frame, a column for each.
+/// Vectors along the sides at rest, m, in the rest frame, a column for each.
 Eigen::Matrix<double, 2, 3> rest_sides(const MembraneTriangle& triangle) {
     const Eigen::Matrix2d from_first = triangle.derivatives.bottomRows<2>().inverse();
     Eigen::Matrix<double, 2, 3> sides;

@@ -16,12 +16,12 @@ namespace sherd {
 struct ArcTriangle {
     MembraneTriangle membrane;
     Vector3d rest_squares;  ///< m^2, l^2 of the sides
-    Vector3d start;  ///< m^2, what curvature added to the squares of the sides where the energy is zero
+    Vector3d start;         ///< m^2, bows() in the shape where the energy is zero
 };
 
 /// The squares of the sides' lengths, m^2.
 Vector3d side_squares(const TrianglePositions& x);
-/// What the sides' curvature, [3] 1/m, adds to the squares of their lengths at x, m^2.
+/// Increase of the squares of the sides' lengths at x by their curvature, [3] 1/m: [3] m^2.
 Vector3d bows(const Vector3d& rest_squares, const TrianglePositions& x, const Vector3d& curvature);
 
 /// Green strain (00, 11, 2 * 01) in the rest frame.
@@ -36,7 +36,7 @@ struct ArcGradient {
 ArcGradient gradient(const ArcTriangle& triangle, const TrianglePositions& x, const Vector3d& curvature);
 
 /// Second derivatives by the positions, coordinate fastest, then by the three curvatures. `convex` drops the
-/// compressive part of the geometric stiffness and what couples it with curvature, which makes the matrix
+/// compressive part of the geometric stiffness and its coupling with curvature, which makes the matrix
 /// positive semidefinite.
 Eigen::Matrix<double, 12, 12> hessian(const ArcTriangle& triangle, const TrianglePositions& x,
                                       const Vector3d& curvature, bool convex);

@@ -23,12 +23,12 @@ class DihedralAngleOf {
           sides{x.col(2) - x.col(0), x.col(3) - x.col(0)},
           normals{edge.cross(sides[0]), sides[1].cross(edge)},
           length(edge.norm()) {}
-    /// rad. Of small angles no trigonometric function is evaluated.
+    /// The angle, rad. For small angles no trigonometric function is evaluated.
     Real angle() const {
         const Turn turn = scaled_turn();
         return arc_tangent(turn[1], turn[0]);
     }
-    /// The same less the angle of cos and sin `from`, between -pi and pi.
+    /// The angle less that of cos and sin `from`, rad, between -pi and pi.
     Real angle_from(const Turn& from) const {
         const Turn turn = scaled_turn();
         return arc_tangent(turn[1] * from[0] - turn[0] * from[1], turn.dot(from));
@@ -43,10 +43,10 @@ class DihedralAngleOf {
     void add_hessian(Real factor, Eigen::Matrix<Real, 12, 12>& hessian) const;
 
   private:
-    Turn scaled_turn() const {  ///< m^4, times the product of the triangles' doubled areas
+    Turn scaled_turn() const {  ///< m^4, cos and sin times the doubled areas
         return {normals[0].dot(normals[1]), length * normals[0].dot(sides[1])};
     }
-    /// Share of x1 in the foot of an apex on the edge; that of x0 is what it lacks of one.
+    /// Share of x1 in the foot of an apex on the edge; x0 has the rest, up to 1.
     Real foot(int side) const { return sides[side].dot(edge) / (length * length); }
 
     Vector edge;        ///< m, from x0 to x1

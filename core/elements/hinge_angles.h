@@ -7,7 +7,7 @@
 namespace sherd {
 
 /// Calls put(i, angle) with hinge_angle() at x, [3, V] m, of `count` hinges, which are computed four at a
-/// time. vertices_of(i): those of hinge i, as an array.
+/// time. vertices_of(i): the vertices of hinge i, as an array.
 template <class VerticesOf, class Put>
 void find_hinge_angles(const Positions& x, Index count, const VerticesOf& vertices_of, const Put& put) {
     each_four(count, [&](const std::array<Index, Lanes::count>& hinges) {

@@ -8,7 +8,7 @@
 
 namespace sherd {
 
-/// columns() of four elements of N vertices at once, [3, N]: of[lane] are those of one.
+/// columns() of four elements of N vertices at once, [3, N]: of[lane] are the vertices of one.
 template <std::size_t N>
 Eigen::Matrix<Lanes, 3, static_cast<int>(N)> lane_columns(const Positions& x,
                                                           const std::array<Index, N> (&of)[Lanes::count]) {
@@ -21,8 +21,8 @@ Eigen::Matrix<Lanes, 3, static_cast<int>(N)> lane_columns(const Positions& x,
     return local;
 }
 
-/// Calls each(numbers) for groups of four of `count` elements, with their numbers: that of the last
-/// element again where there are no more.
+/// Calls each(numbers) for groups of four of `count` elements, with their numbers; the last group repeats the
+/// last number.
 template <class Each>
 void each_four(Index count, const Each& each) {
     wide_loop(0, (count + Lanes::count - 1) / Lanes::count, [&](Index group) {

@@ -37,8 +37,8 @@ Eigen::Matrix<double, 3, 2> deformation_gradient(const MembraneTriangle& triangl
 /// Green strain (E00, E11, 2 E01) in the rest frame.
 Vector3d green_strain(const MembraneTriangle& triangle, const TrianglePositions& x);
 
-/// How a stress (00, 11, 01), N/m, in the rest frame stiffens the triangle against rotation: what the Hessian
-/// over the area has for each two corners, N/m^3, times the identity. `convex` drops the compressive part.
+/// Geometric stiffness of a stress (00, 11, 01), N/m, in the rest frame: for each two corners, the factor of
+/// the identity in the Hessian over the area, N/m^3. `convex` drops the compressive part.
 Matrix3d geometric_stiffness(const MembraneTriangle& triangle, const Vector3d& stress, bool convex);
 
 /// Energy, J.

@@ -6,7 +6,7 @@
 namespace sherd {
 namespace {
 
-/// e0, e1 and e2. Small numbers lose fewer digits than positions.
+/// Edges e0, e1 and e2: small numbers lose fewer digits than positions.
 struct EdgesFromStart {
     explicit EdgesFromStart(const HingePositions& x)
         : e0(x.col(1) - x.col(0)), e1(x.col(2) - x.col(0)), e2(x.col(3) - x.col(0)) {}

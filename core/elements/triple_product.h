@@ -10,11 +10,11 @@ namespace sherd {
 
 double triple_product(const HingePositions& x);
 
-/// Its gradient, m^2, [3, 4].
+/// Gradient of the triple product, m^2, [3, 4].
 HingePositions triple_gradient(const HingePositions& x);
 
-/// Adds factor times its second derivative, m, [12, 12], coordinate fastest (paper, appendix A). It is linear
-/// in x, zero on the diagonal, and not definite.
+/// Adds factor times the triple product's second derivative, m, [12, 12], coordinate fastest (paper, appendix
+/// A). It is linear in x, zero on the diagonal, and not definite.
 void add_triple_hessian(double factor, const HingePositions& x, HingeHessian& hessian);
 
 }  // namespace sherd

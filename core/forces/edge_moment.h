@@ -23,7 +23,7 @@ std::vector<EdgeMoment> edge_moments(const Shell& shell, std::span<const Triangl
 /// which the triangle has turned about the axis since the beginning of the step: the direction from the foot
 /// of its height, a point of the side, to its apex, seen along the axis. The forces are a couple: on the apex
 /// across that direction, and the opposite one on the side's ends. In the plane across the axis its moment is
-/// exactly that which is given, whatever the angle.
+/// exactly the given one at any angle.
 struct TurnedTriangles {
     struct Turned {
         std::array<Index, 3> vertices;  ///< the side's ends, then the apex

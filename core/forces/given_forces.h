@@ -6,16 +6,16 @@
 
 namespace sherd {
 
-/// Dead forces on vertices that whoever steps the shell gives, from step to step. They are kept as
-/// accelerations: where a crack splits a vertex its copies share the force by their mass, and where vertices
-/// are born or move the force is interpolated. In statics they grow with the load factor.
+/// Dead forces on vertices that the caller sets from step to step. They are kept as accelerations: where a
+/// crack splits a vertex its copies share the force by their mass, and for inserted or moved vertices the
+/// force is interpolated. In statics they grow with the load factor.
 class GivenForces : public Energy {
   public:
-    /// None act at first. The shell must outlive this object.
+    /// There are no forces at first. The shell must outlive this object.
     explicit GivenForces(const Shell& shell)
         : shell(shell), acceleration(Positions::Zero(3, shell.position.cols())) {}
 
-    /// forces: [3, V] N, from the next step on.
+    /// Sets the forces, [3, V] N, from the next step on.
     void give(const Positions& forces);
     void begin(const StepContext& step) override;
     void topology_changed(const ShellChange& change, const StepContext& step) override;

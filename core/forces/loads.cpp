@@ -13,7 +13,8 @@ double fraction(const Load& load, double time) {
     return load.ramp > 0 ? std::clamp(time / load.ramp, 0.0, 1.0) : 1.0;
 }
 
-/// The corner of a reshaped face at a vertex: of the face that has most of `from`, if one with it has any.
+/// Moves a force to the corner at `vertex` of a reshaped face: of such faces, the one with the largest share
+/// of the parent `from`.
 CornerForce at_vertex(const Shell& shell, const ShellChange& change, Index from, Index vertex,
                       CornerForce force) {
     double most = -1;

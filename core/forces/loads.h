@@ -26,7 +26,7 @@ struct Load {
     std::vector<EdgeMoment> moments = {};  ///< on sides of triangles
     double pressure = 0;                   ///< Pa, along the normal of a triangle in its current position
     double ramp = 0;                       ///< s; 0: full size from the start
-    std::vector<FaceForce> spread = {};    ///< forces of constant direction, too
+    std::vector<FaceForce> spread = {};    ///< forces of constant direction on faces
 
     void visit_state(StateVisitor& visit) {
         auto& [dead, pressed, moments, pressure, ramp, spread] = *this;
@@ -72,9 +72,10 @@ class LoadEnergy : public Energy {
     /// The shell must outlive this object.
     LoadEnergy(const Shell& shell, std::vector<Load> loads) : shell(shell), loads(std::move(loads)) {}
     void begin(const StepContext& step) override;
-    /// Faces that are born under pressure stay under it. Dead forces stay on the corners of their triangles.
-    /// Where triangles change, forces on corners and moments go on with their vertices and sides, which must
-    /// stay in their place, and what is spread over triangles goes on with their area.
+    /// Inserted faces are under pressure if their first parent is. Dead forces stay on the corners of their
+    /// triangles. Where triangles change, forces on corners and moments stay with their vertices and sides,
+    /// which must stay in their place, and forces spread over triangles are inherited by area. Throws
+    /// std::runtime_error if a side with a moment no longer exists.
     void topology_changed(const ShellChange& change, const StepContext& step) override;
     double value(const Positions& x) const override;  ///< J, zero at the beginning of the step
     void add_gradient(const Positions& x, Positions& gradient) const override;

@@ -24,21 +24,21 @@ struct ShellEnergyOptions {
     BendingOptions bending = {};  ///< energy and Jacobian of the hinges
     MembraneModel membrane = MembraneModel::constant_strain;
     std::vector<MirrorHinge> mirrors = {};    ///< clamps and symmetry planes
-    std::vector<Index> mirror_supports = {};  ///< of each mirror; empty: its forces are no support's reaction
+    std::vector<Index> mirror_supports = {};  ///< support of each; empty: no reactions
     std::vector<Load> loads = {};
     std::vector<Wind> winds = {};
     Damping damping = {};
-    /// Pa, of each sheet: the stress beyond which coupled hinges keep what they are bent; 0: they do not.
-    /// Empty: none does.
+    /// Yield stress of each sheet, Pa, beyond which coupled hinges bend plastically; 0: they do not. Empty:
+    /// no sheet yields.
     std::vector<double> yields = {};
-    bool given_forces = false;  ///< whether forces may be given from step to step: ShellEnergies::give()
+    bool given_forces = false;  ///< whether ShellEnergies::give() may be called
 };
 
-/// An energy of what is not elastic, in a step.
+/// A non-elastic energy in a step.
 struct OuterEnergy {
     double EnergyBalance::*part;
     std::unique_ptr<Energy> energy;
-    /// Whether its force is one of the velocity (x - origin) / lag of the step (StepContext), and not of x.
+    /// Whether the force depends on the velocity (x - origin) / lag of the step (StepContext), and not on x.
     bool of_velocity;
 };
 
@@ -48,10 +48,10 @@ class ShellEnergies {
     /// The shell must outlive this object.
     ShellEnergies(const Shell& shell, const ShellEnergyOptions& options);
 
-    /// Takes the damping of other options instead, from the shell as it is now.
+    /// Replaces the damping by that of other options, from the shell as it is now.
     void damp(const ShellEnergyOptions& options);
 
-    /// From the next step on these forces act on the vertices, [3, V] N: see GivenForces. Only with
+    /// Sets forces on the vertices, [3, V] N, from the next step on: see GivenForces. Only with
     /// ShellEnergyOptions::given_forces.
     void give(const Positions& force) { given->give(force); }
 
@@ -59,60 +59,61 @@ class ShellEnergies {
     std::vector<Energy*> elastic() { return {bending.get(), membrane.get(), &mirrors}; }
     const Energy& of_bending() const { return *bending; }
     const Energy& of_membrane() const { return *membrane; }
-    const MirrorEnergy& of_mirrors() const { return mirrors; }  ///< of hinges that are not coupled
+    const MirrorEnergy& of_mirrors() const { return mirrors; }  ///< mirrors of hinges that are not coupled
     std::vector<Energy*> loads();
     const std::vector<OuterEnergy>& outer() const { return others; }
-    /// Whether a clamp or a symmetry plane moves as it is told.
+    /// Whether a clamp or a symmetry plane has a prescribed motion.
     bool mirrors_move() const;
 
     /// Adds the forces of clamps and symmetry planes, at x [3, V] m in the open step, to their reactions.
     void add_mirror_reactions(const Positions& x, std::span<Reaction> of_supports) const;
-    /// Work, J, of the clamps and symmetry planes that move as they are told, in the step that ends at x.
+    /// Work, J, of the clamps and symmetry planes with a prescribed motion, in the step that ends at x.
     double mirror_work(const StepContext& step, const Positions& x) const;
-    /// Enters what loads, wind and damping do in the step that ends at x, in which the vertices moved by
-    /// `moved`, and adds their gradients.
+    /// Adds the work of loads, wind and damping to the balance, in the step that ends at x, in which the
+    /// vertices moved by `moved`, and their gradients to `gradient`.
     void add_outer(const Positions& x, const Positions& moved, EnergyBalance& balance,
                    Positions& gradient) const;
 
-    /// J, elastic.
+    /// Elastic energy of bending, J.
     double bending_value(const Positions& x) const {
         return bending->value(x) - taken_by_yielding(x) + mirrors.value(x);
     }
-    /// J, that bending takes for good in a step that ends at x.
+    /// Energy that bending dissipates by yielding in a step that ends at x, J.
     double taken_by_yielding(const Positions& x) const {
         return yielding != nullptr ? yielding->taken_by_yielding(x) : 0;
     }
-    /// A step ends at x.
+    /// Must be called when a step ends at x: stores the plastic curvatures.
     void keep(const Positions& x) {
         if (yielding != nullptr) yielding->keep(x);
     }
     const CoupledBending* coupled_bending() const { return coupled; }  ///< null if hinges are not coupled
     /// Changes of curvature of all faces (CoupledBending::curvatures()); none: hinges are not coupled.
     std::optional<Eigen::Matrix3Xd> coupled_curvatures(const Positions& x) const;
-    /// The same, or as single hinges have them (curvatures_of_hinges(), by height).
+    /// Changes of curvature of all faces, of coupled hinges or else of single ones (curvatures_of_hinges(),
+    /// by height).
     Eigen::Matrix3Xd face_curvatures(const Positions& x) const;
-    /// What all faces keep of being bent (CoupledBending::kept_curvatures()); none: nothing yields.
+    /// Plastic curvatures of all faces (CoupledBending::kept_curvatures()); none: nothing yields.
     std::optional<Eigen::Matrix3Xd> kept_curvatures(const Positions& x) const;
-    /// Green strain of all faces, [3, F], as the membrane sees it.
+    /// Green strain of all faces, [3, F], as the membrane measures it.
     Eigen::Matrix3Xd face_strains(const Positions& x) const;
     double membrane_value(const Positions& x) const { return membrane->value(x); }  ///< J
 
     void visit_state(StateVisitor& visit);
 
   private:
-    std::vector<Reaction> mirror_reactions(const Positions& x) const;  ///< of each mirror
+    std::vector<Reaction> mirror_reactions(const Positions& x) const;  ///< reaction of each mirror
 
     const Shell& shell;
     std::unique_ptr<Energy> bending;
-    const CoupledBending* coupled;  ///< those of bending, if it has coupled hinges
-    CoupledBending* yielding;       ///< the same, if they keep what they are bent
+    const CoupledBending* coupled;  ///< the bending energy, if its hinges are coupled
+    CoupledBending* yielding;       ///< the bending energy, if coupled hinges yield
     std::unique_ptr<Energy> membrane;
     const ArcMembrane* arcs;  ///< membrane, if its sides are arcs
     MirrorEnergy mirrors;
     std::vector<Index> mirror_supports;  ///< ShellEnergyOptions::mirror_supports
     std::vector<Index> mirror_scripts;   ///< MirrorHinge::script of each mirror
     std::vector<OuterEnergy> others;     ///< loads, wind and damping, as far as there are any
-    GivenForces* given = nullptr;        ///< the one of others, if there is one
+    GivenForces* given = nullptr;        ///< the entry of `others`, if there is one
 };
 
 }  // namespace sherd

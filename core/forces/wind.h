@@ -7,7 +7,7 @@
 
 namespace sherd {
 
-/// One of the waves that gusts consist of: amplitude cos(wave . x + frequency t + phase).
+/// A wave of which gusts are a sum: amplitude cos(wave . x + frequency t + phase).
 struct GustWave {
     Vector3d amplitude = Vector3d::Zero();  ///< m/s
     Vector3d wave = Vector3d::Zero();       ///< rad/m

@@ -23,8 +23,9 @@ struct Material {
     std::optional<double> young1 = {};  ///< Pa, along the second axis; none: as along the first
     std::optional<double> shear = {};   ///< G01, Pa; none: see elastic_constants()
     Calibration calibration = Calibration::third;
-    double tempered = 0;  ///< Pa, compression at the surfaces, which tension within balances
-    /// Pa, von Mises stress beyond which real sheets keep a dent, and ours do not; 0: none.
+    double tempered = 0;  ///< Pa, compression at the surfaces of tempered sheets, balanced by tension inside
+    /// Pa, von Mises stress beyond which sheets yield; simulated by coupled hinges only
+    /// (ShellEnergyOptions::yields); 0: none.
     double yield = 0;
 };
 

@@ -30,8 +30,8 @@ double edge_stiffness(const Orthotropy& constants, double thickness, double angl
 /// Elasticity times thickness in the material axes, N/m, [3, 3], acting on the strain (E00, E11, 2 E01).
 Matrix3d plane_stress_elasticity(const Orthotropy& constants, double thickness);
 
-/// The same elasticity, acting on strains in a frame from whose first axis the first material axis is rotated
-/// by `angle` (rad, counterclockwise).
+/// Elasticity turned to act on strains in a frame from whose first axis the first material axis is rotated by
+/// `angle` (rad, counterclockwise).
 Matrix3d turned_elasticity(const Matrix3d& elasticity, double angle);
 
 /// Angle (rad, counterclockwise) from the first edge of a triangle, x0 to x1, to a direction in its plane.

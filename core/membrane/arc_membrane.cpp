@@ -13,11 +13,11 @@ using ArcHessian = Eigen::Matrix<double, 12, 12>;
 /// The derivatives of a face's energy by the positions of its corners and the curvature along its sides.
 using ArcColumns = Eigen::Matrix<double, 12, 3>;
 
-/// How the curvature along the sides of a face changes with the position of a vertex, 1/m^2, a row for each
+/// Derivative of the curvature along the sides of a face by the position of a vertex, 1/m^2, a row for each
 /// side.
 struct BentSides {
     Index vertex;
-    int corner;  ///< of the face; -1: of a face around
+    int corner;  ///< corner of the face; -1: a vertex of a face around
     Matrix3d slope;
 };
 
@@ -27,7 +27,7 @@ Matrix3d& slope_at(std::vector<BentSides>& all, Index vertex) {
     return at->slope;
 }
 
-/// Of all vertices on which they depend, ascending.
+/// Finds these derivatives for all vertices on which the sides depend, ascending.
 void find_sides(const std::array<Index, 3>& corners, const SideCurvature& curvature, std::size_t face,
                 const std::vector<Folds::Slope>& slopes, std::vector<BentSides>& all) {
     all.clear();
@@ -40,21 +40,21 @@ void find_sides(const std::array<Index, 3>& corners, const SideCurvature& curvat
     std::ranges::sort(all, {}, &BentSides::vertex);
 }
 
-/// How these derivatives change with the position of a vertex.
+/// Derivatives of the face's gradient by the position of a vertex.
 ArcColumns columns_of(const BentSides& at, const ArcHessian& hessian) {
     ArcColumns sum = hessian.rightCols<3>() * at.slope;
     if (at.corner >= 0) sum += hessian.middleCols<3>(3 * at.corner);
     return sum;
 }
 
-/// The block of a vertex in the Hessian of a face, beside the vertex with these columns.
+/// The block of the face's Hessian for a vertex and the one with these columns.
 Matrix3d block(const BentSides& at, const ArcColumns& other) {
     Matrix3d sum = at.slope.transpose() * other.bottomRows<3>();
     if (at.corner >= 0) sum += other.middleRows<3>(3 * at.corner);
     return sum;
 }
 
-/// What the Hessian of a face is made of, for all vertices on which it depends.
+/// Terms of the Hessian of a face, for all vertices on which it depends.
 struct BentFace {
     std::vector<BentSides> sides;
     std::vector<Index> vertices;  ///< ascending

@@ -9,14 +9,14 @@ namespace sherd {
 
 /// Membrane energy of triangles with arcs for sides (arc_triangle.h), which do not lock where thin curved
 /// sheets bend: the curvature along the sides follows from the dihedral angles around (SideCurvature). At
-/// rest the arcs have their rest lengths, with the same curvature of the rest shape, also beside cracks: what
-/// is unloaded stays unloaded. Angles are taken between -pi and pi; a fold that passes pi makes the energy
+/// rest the arcs have their rest lengths, with the same curvature of the rest shape, also beside cracks: an
+/// unloaded sheet stays unloaded. Angles are taken between -pi and pi; a fold that passes pi makes the energy
 /// jump.
 class ArcMembrane : public Energy {
   public:
     /// The shell must outlive this object. mirrors: continue the sheet as they do for coupled hinges.
     ArcMembrane(const Shell& shell, const std::vector<MirrorHinge>& mirrors);
-    ArcMembrane(const ArcMembrane&) = delete;  // its parts refer to each other
+    ArcMembrane(const ArcMembrane&) = delete;  // members refer to each other
     /// Measures strain from the shape x instead of the rest shape, and multiplies the energy, until the
     /// shell changes.
     void start_from(const Positions& x, double scale);

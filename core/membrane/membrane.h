@@ -10,8 +10,8 @@ namespace sherd {
 
 /// The energy of stretching.
 enum class MembraneModel {
-    constant_strain,  ///< of flat triangles, which lock on thin curved sheets: see MembraneEnergy
-    arc               ///< of triangles with arcs for sides, which do not: see ArcMembrane
+    constant_strain,  ///< flat triangles, which lock on thin curved sheets: see MembraneEnergy
+    arc               ///< triangles with arcs for sides, which do not: see ArcMembrane
 };
 
 /// Membrane energy of a shell from its rest shape. The shell must outlive it, and its changes must be passed
@@ -19,9 +19,9 @@ enum class MembraneModel {
 std::unique_ptr<Energy> membrane_energy(const Shell& shell, MembraneModel model,
                                         const std::vector<MirrorHinge>& mirrors = {});
 
-/// How near each face is to locking as a constant-strain triangle, [F]: the largest l^2 |k| / t of its sides,
-/// with their length l, the curvature k of the rest shape along them (SideCurvature) and the thickness t.
-/// Above locking_limit, bending there meets far more resistance than it should.
+/// Measure of how near each face is to locking as a constant-strain triangle, [F]: the largest l^2 |k| / t of
+/// its sides, with their length l, the curvature k of the rest shape along them (SideCurvature) and the
+/// thickness t. Above locking_limit, bending there is far too stiff.
 VectorXd locking(const Shell& shell);
 constexpr double locking_limit = 3;
 

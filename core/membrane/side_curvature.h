@@ -10,18 +10,18 @@ namespace sherd {
 
 /// The curvature of a shell along the sides of its triangles, from the angles of the folds around: that of
 /// the quadratic surface which fits the angles of the side's patch best (least squares). Both triangles at an
-/// edge have the same one. Folds that are turned by more than 45 degrees at rest are creases between smooth
-/// parts: each part is measured by itself.
+/// edge have the same curvature. Folds that are turned by more than 45 degrees at rest are creases between
+/// smooth parts: each part is measured by itself.
 class SideCurvature {
   public:
     /// Shell and folds must outlive this object.
     SideCurvature(const Shell& shell, const Folds& folds);
 
-    /// Must be called when the shell has changed. Only sides that see something of the change are computed
-    /// anew.
+    /// Must be called when the shell has changed. Only sides whose patch contains a part of the change are
+    /// computed again.
     void follow(const ShellChange& change);
 
-    /// What a side's curvature is summed from; weights in 1/m.
+    /// Terms of a side's curvature; weights in 1/m.
     std::span<const Patches::Share> shares(std::size_t face, int side) const { return sides[face][side]; }
     /// The curvature along the sides of a face, [3] 1/m. angles: of all folds, rad.
     Vector3d of(std::size_t face, const VectorXd& angles) const;

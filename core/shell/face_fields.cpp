@@ -12,7 +12,7 @@ Eigen::Matrix3Xd green_strains(const Shell& shell, const Positions& x) {
     Eigen::Matrix3Xd strains(3, shell.triangles.size());
     each_four(static_cast<Index>(strains.cols()), [&](const std::array<Index, Lanes::count>& faces) {
         std::array<Index, 3> vertices[Lanes::count];
-        Eigen::Matrix<Lanes, 2, 2> derivatives;  // of the second and the third corner
+        Eigen::Matrix<Lanes, 2, 2> derivatives;  // shape functions of the second and the third corner
         for (int lane = 0; lane < Lanes::count; ++lane) {
             const auto& [of, membrane] = shell.triangles[faces[lane]];
             vertices[lane] = of;

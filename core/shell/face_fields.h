@@ -7,7 +7,7 @@ namespace sherd {
 
 struct Shell;
 
-/// Which fields of faces are wanted.
+/// Choice of fields of faces.
 struct FaceFieldChoice {
     bool stress = false, curvature = false, membrane_strain = false;
 
@@ -15,7 +15,7 @@ struct FaceFieldChoice {
     bool operator==(const FaceFieldChoice&) const = default;
 };
 
-/// How a face is strained, and the stress that follows: tensors in the face's rest frame (frame_axes()).
+/// Strain of a face, and the stress that follows: tensors in the face's rest frame (frame_axes()).
 ///
 /// The top of a face is the side to which its normal points; its vertices run counterclockwise as seen from
 /// there. A positive curvature bends the sheet towards the normal, which squeezes the top. Through the
@@ -36,19 +36,19 @@ FaceState face_state(const Shell& shell, Index face, const Vector3d& strain, con
 /// Green strain of all faces by their corners at x [3, V] m, [3, F].
 Eigen::Matrix3Xd green_strains(const Shell& shell, const Positions& x);
 
-/// The same of all faces, [3, F] each; what is not wanted is empty.
+/// Strains and stresses (FaceState) of all faces, [3, F] each; fields that are not chosen are empty.
 struct FaceFields {
     Eigen::Matrix3Xd curvature, membrane_strain, stress_top, stress_bottom;
 };
 
-/// What is said of a field to whoever reads it.
+/// Unit and description of a field for its readers.
 struct FieldMeaning {
     const char* unit;
     const char* description;
-    bool twice;  ///< the third component is 2 * 01
+    bool twice;  ///< whether the third component is 2 * 01
 };
 
-/// Calls visit(name, array, meaning) for each of them.
+/// Calls visit(name, array, meaning) for each field.
 template <class F, class Visit>
 void visit_fields(F& fields, Visit visit) {
     using Meaning = FieldMeaning;
@@ -71,7 +71,7 @@ void visit_fields(F& fields, Visit visit) {
 FaceFields face_fields(const Shell& shell, const Eigen::Matrix3Xd& strains,
                        const Eigen::Matrix3Xd& curvatures, const FaceFieldChoice& choice);
 
-/// The fields that there are.
+/// The fields that are not empty.
 FaceFieldChoice choice_of(const FaceFields& fields);
 
 /// Principal values of each face's tensor, [2, F], the larger ones first. twice: see FieldMeaning.
@@ -83,11 +83,11 @@ VectorXd largest_stress(const FaceFields& fields);
 /// The principal curvature of largest magnitude of each face, 1/m, signed, [F].
 VectorXd largest_curvature(const FaceFields& fields);
 
-/// Where a field is largest.
+/// Largest value of a field, and its face.
 struct FieldPeak {
     double value = 0;
     Index face = 0;
-    bool top = false;  ///< the surface, of stress
+    bool top = false;  ///< whether at the top; of stress alone
 };
 
 /// The largest of largest_stress(). There must be a face with stress.

@@ -27,7 +27,7 @@ void append(Positions& columns, std::span<const Heir> heirs) {
 }
 
 void follow(Positions& of_vertices, const ShellChange& change) {
-    std::vector<Vector3d> moved;  // all of them from where the parents were
+    std::vector<Vector3d> moved;  // from the values of the parents before the change
     for (const Heir& vertex : change.moved) moved.push_back(mean_column(vertex.parents, of_vertices));
     append(of_vertices, change.vertices);
     for (std::size_t i = 0; i < moved.size(); ++i) of_vertices.col(change.moved[i].element) = moved[i];

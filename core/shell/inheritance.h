@@ -9,26 +9,27 @@
 
 namespace sherd {
 
-/// What a new element inherits of a list-valued attribute of its parents. Positions and numbers are always
-/// the mean of the parents by weight.
+/// Rule by which a new element inherits a list-valued attribute of its parents. Positions and numbers are
+/// always the mean of the parents by weight.
 enum class Inheritance {
     common,  ///< the parents' value if all have the same
     first,   ///< the value of the first parent
-    none     ///< nothing: whoever made the change sets the value
+    none     ///< nothing: the code that makes the change sets the value
 };
 
-/// Appends the heirs' values to an array of columns, or of numbers; zero for an heir without parents.
+/// Appends the values that new elements inherit to an array of columns, or of numbers; zero for an element
+/// without parents.
 void append(Positions& columns, std::span<const Heir> heirs);
 void append(VectorXd& values, std::span<const Heir> heirs);
 
-/// Lets positions or velocities of vertices [3, V] follow a change: heirs are appended, and moved vertices
-/// get the mean of their parents.
+/// Lets positions or velocities of vertices [3, V] follow a change: inserted vertices are appended, and moved
+/// vertices get the mean of their parents.
 void follow(Positions& of_vertices, const ShellChange& change);
 
-/// Gives moved vertices the mean of what their parents have.
+/// Gives moved vertices the mean of their parents' values.
 void follow_moves(VectorXd& of_vertices, std::span<const Heir> moved);
 
-/// Appends the heirs' values to a list by `rule`; `missing` for an heir that inherits nothing.
+/// Appends the values of new elements to a list by `rule`; `missing` for an element that inherits nothing.
 template <class T>
 void append(std::vector<T>& values, std::span<const Heir> heirs, Inheritance rule, const T& missing) {
     const auto agree = [&](const std::vector<Heir::Parent>& parents) {

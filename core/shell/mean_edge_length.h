@@ -5,7 +5,8 @@
 
 namespace sherd {
 
-/// m, at rest, an edge counted once for each of its triangles; infinite if there are none.
+/// Mean length of edges at rest, m, an edge counted once for each of its triangles; infinite if there are
+/// none.
 double mean_edge_length(const Shell& shell);
 
 }  // namespace sherd

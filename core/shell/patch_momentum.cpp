@@ -7,10 +7,10 @@
 namespace sherd {
 namespace {
 
-/// Of some vertices, about their centre of mass.
+/// Momentum of some vertices: sums about a reference point, and the spin about their centre of mass.
 struct Momentum {
     double mass = 0;
-    Vector3d moment = Vector3d::Zero();  ///< of mass, kg m, about the place that sums are taken about
+    Vector3d moment = Vector3d::Zero();  ///< first moment, kg m
     Vector3d linear = Vector3d::Zero(), angular = Vector3d::Zero();
 
     void add(double of_vertex, const Vector3d& arm, const Vector3d& velocity) {
@@ -23,9 +23,9 @@ struct Momentum {
     Vector3d spin() const { return angular - centre().cross(linear); }  ///< kg m^2/s
 };
 
-/// The spin with which a body of this inertia has an angular momentum; without what it has no inertia for.
+/// Angular velocity of a body of this inertia and angular momentum, rad/s; zero about axes without inertia.
 Vector3d spin_of(const Matrix3d& inertia, const Vector3d& angular) {
-    constexpr double none = 1e-12;  // of the largest principal moment
+    constexpr double none = 1e-12;  // share of the largest principal moment
     Eigen::SelfAdjointEigenSolver<Matrix3d> principal(inertia);
     Vector3d spin = principal.eigenvectors().transpose() * angular;
     for (int i = 0; i < 3; ++i) {

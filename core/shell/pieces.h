@@ -8,13 +8,14 @@
 
 namespace sherd {
 
-/// The pieces of a shell: what its faces, and perhaps other links, connect.
+/// The pieces of a shell that its faces, and perhaps other links, connect.
 struct Pieces {
     std::vector<Index> of_vertex;  ///< [V]
     Index count = 0;
 };
 
-/// Numbered from 0 in the order of their first vertices. links: pairs of vertices in one piece, too.
+/// Finds the pieces, numbered from 0 in the order of their first vertices. links: further pairs of vertices
+/// in one piece.
 Pieces pieces(const Shell& shell, const std::vector<std::pair<Index, Index>>& links = {});
 
 }  // namespace sherd

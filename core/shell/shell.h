@@ -27,7 +27,7 @@ struct HingeStencil {
     double stiffness;  ///< lambda, N m
 };
 
-/// The directions in which a support holds a vertex, of those in which no earlier one does.
+/// The directions in which a support holds a vertex and no earlier support does.
 struct Hold {
     Index support;        ///< number of a pin, clamp or symmetry plane
     Matrix3d directions;  ///< a projection
@@ -35,7 +35,7 @@ struct Hold {
     bool operator==(const Hold&) const = default;
 };
 
-/// Two vertices whose elements push each other only below a distance.
+/// Two vertices whose elements repel each other only below a distance.
 struct NearVertices {
     std::array<Index, 2> vertices;  ///< ascending
     double reach;                   ///< m
@@ -43,9 +43,9 @@ struct NearVertices {
     auto operator<=>(const NearVertices&) const = default;
 };
 
-/// What of the sheets overlaps one collider since the start.
+/// Overlap of the sheets with one collider since the start.
 struct StartDepth {
-    VectorXd depth;            ///< [V] m, beyond touching, from which on the collider pushes; it only shrinks
+    VectorXd depth;            ///< [V] m, overlap beyond which the collider exerts forces; it never grows
     std::vector<char> unseen;  ///< [V] whether elements with this vertex do not meet the collider's surface
 
     void visit_state(StateVisitor& visit) {
@@ -54,7 +54,7 @@ struct StartDepth {
     }
 };
 
-/// The mechanics of the shell (all sheets of a simulation), as arrays and index stencils. Whoever holds the
+/// The mechanics of the shell (all sheets of a simulation), as arrays and index stencils. The owner of the
 /// topology appends or renumbers vertices, edges and faces; nothing here refers to a mesh. Each of their
 /// attributes is also listed in visit_vertices(), visit_edges() or visit_faces(), and nowhere else.
 struct Shell {
@@ -67,9 +67,9 @@ struct Shell {
     VectorXd footprint;         ///< [V] m^2, contact area of the vertex: see
                                 ///< contact/penalty/vertex_contact.h
     std::vector<char> fixed;    ///< [V] 1 where a pin holds the vertex
-    std::vector<Index> script;  ///< [V] 0, or the number, from 1, of the motion that scripts the fixed vertex
+    std::vector<Index> script;  ///< [V] 0, or the number, from 1, of the vertex's prescribed motion
     std::vector<char> guide;    ///< [V] 0, or the number, from 1, of the guide that the vertex slides along
-    std::vector<Index> held;    ///< [V] 0, or the number, from 1, of what holds the vertex in `holds`
+    std::vector<Index> held;    ///< [V] 0, or the number, from 1, of the vertex's entry in `holds`
     std::vector<Index>
         vertex_sheet;  ///< [V] number of the sheet that the vertex belongs to, also after breaking
 
@@ -79,25 +79,26 @@ struct Shell {
 
     std::vector<Index> edge_hinge;       ///< [E] number of the edge's hinge, -1 when it has none
     std::vector<double> edge_strength;   ///< [E] measure at which the hinge fails; infinite: never
-    std::vector<double> edge_toughness;  ///< [E] Pa m^0.5, by which a crack goes on along it; 0: none
+    std::vector<double> edge_toughness;  ///< [E] Pa m^0.5, toughness along the edge; 0: none
 
     std::vector<HingeStencil> hinges;  ///< [H]
     std::vector<Index> hinge_edge;     ///< [H] edge of each hinge
 
-    /// Pairs of vertices, ascending, elements of which that contain one each do not collide in SheetContact:
-    /// they coincide because a crack between them has just opened, or their faces cross since the start.
+    /// Exempt pairs of vertices, ascending. Elements that contain one vertex each do not collide in
+    /// SheetContact, since the vertices coincide at a crack that has just opened, or their faces cross since
+    /// the start.
     std::vector<std::array<Index, 2>> twins;
-    /// Those that are nearer, since the start, than others may come: ascending.
+    /// Pairs that are nearer, since the start, than others may come; ascending.
     std::vector<NearVertices> near;
-    /// Of each obstacle, then of each free body; empty: none overlaps.
+    /// Overlaps with each obstacle, then with each free body; empty: there are none.
     std::vector<StartDepth> start_depths;
-    std::vector<LipStencil> lips;          ///< lips of these cracks
+    std::vector<LipStencil> lips;          ///< crack faces (lips) of these cracks
     std::vector<Matrix3d> guides;          ///< projections to the free directions: a plane, or a line
-    std::vector<Motion> motions;           ///< of scripted vertices, from their rest positions
-    std::vector<std::vector<Hold>> holds;  ///< what together holds a vertex, for reactions
+    std::vector<Motion> motions;           ///< prescribed motions of vertices, from their rest positions
+    std::vector<std::vector<Hold>> holds;  ///< supports that together hold a vertex, for reactions
     bool uneven = false;                   ///< whether the thickness of a sheet differs from place to place
 
-    /// What is held, and how, is given at the start.
+    /// Supports are given at the start, and no part of the state.
     void visit_state(StateVisitor& visit) {
         auto& [rest, position, velocity, mass, thickness, young, footprint, fixed, script, guide, held,
                vertex_sheet, triangles, face_mass, face_sheet, edge_hinge, edge_strength, edge_toughness,
@@ -138,7 +139,8 @@ void visit_edges(S& shell, Visit visit) {
     visit(shell.edge_toughness, Inheritance::first, 0.0);
 }
 
-/// Visits the attributes of faces in the same way. Whoever makes the change sets their corners and shape.
+/// Visits the attributes of faces in the same way. The code that makes the change sets their corners and
+/// shape.
 template <class S, class Visit>
 void visit_faces(S& shell, Visit visit) {
     visit(shell.triangles, Inheritance::first, TriangleStencil());
@@ -149,10 +151,10 @@ void visit_faces(S& shell, Visit visit) {
 /// Gives the vertices' arrays `count` entries; new ones are zero.
 void resize_vertices(Shell& shell, Index count);
 
-/// Applies a change to all attributes of elements. Of moved vertices rest, position and velocity follow, and
-/// an uneven thickness.
-/// Whoever made the change sets masses, footprints and the shape of elements that are new, changed or lost a
-/// part, and appends hinges.
+/// Applies a change to all attributes of elements. Moved vertices get their parents' rest position, position
+/// and velocity, and an uneven thickness.
+/// The code that makes the change sets masses, footprints and the shape of elements that are new, changed or
+/// lost a part, and appends hinges.
 void follow(Shell& shell, const ShellChange& change);
 
 /// Removes the hinge of an edge. The last hinge takes its number, which is returned.

@@ -25,14 +25,14 @@ inline std::array<Index, 3> edge_and_apex(const Shell& shell, const TriangleEdge
 /// corner.
 std::vector<TriangleEdge> boundary_triangle_edges(const Shell& shell, std::span<const char> selected);
 
-/// The sides that a side of a triangle is after a change: one, or two where it was split, in its direction;
+/// The sides to which a change turns a side of a triangle: one, or two where it was split, in its direction;
 /// none where its edge was flipped.
 std::vector<TriangleEdge> sides_after(const Shell& shell, const ShellChange& change,
                                       const TriangleEdge& side);
 
 /// The two sides that each hinge joins, [H]: of T0, then of T1 (HingePositions).
 std::vector<std::array<TriangleEdge, 2>> sides_of_hinges(const Shell& shell);
-/// The same of some hinges, whose sides are among those of some triangles.
+/// The two sides that each of some hinges joins, which must be sides of the given triangles.
 std::vector<std::array<TriangleEdge, 2>> sides_of_hinges(const Shell& shell, std::span<const Index> hinges,
                                                          std::span<const Index> triangles);
 

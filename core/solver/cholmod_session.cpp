@@ -13,7 +13,7 @@ extern "C" void omp_set_max_active_levels(int levels);
 namespace sherd {
 
 CholmodSession::CholmodSession(bool wide) : wide(wide) {
-    // CHOLMOD asks for OpenMP teams by number, which slows its supernodal code two to three times on small
+    // CHOLMOD requests OpenMP teams by number, which slows its supernodal code two to three times on small
     // machines; allowing no active parallel region is the one setting it cannot override.
     omp_set_max_active_levels(0);
     openblas_set_num_threads(1);

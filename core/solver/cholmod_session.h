@@ -8,7 +8,7 @@ namespace sherd {
 /// CHOLMOD's workspace and parameters, in one thread.
 class CholmodSession {
   public:
-    /// wide: its indices have 64 bits, and all calls with it are those that begin with cholmod_l_.
+    /// wide: indices have 64 bits, and all calls must be those that begin with cholmod_l_.
     explicit CholmodSession(bool wide = false);
     ~CholmodSession();
     CholmodSession(const CholmodSession&) = delete;

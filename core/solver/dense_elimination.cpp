@@ -88,7 +88,7 @@ void subtract_strips(const Real* panel, Index stride, Index rows, Index columns,
     });
 }
 
-/// Eliminates the columns of [width, width] in place, one after the other. Returns how many.
+/// Eliminates the columns of [width, width] in place, one after the other. Returns their number.
 template <class Real>
 Index eliminate_one_by_one(Real* square, Index stride, Index width) {
     for (Index j = 0; j < width; ++j) {
@@ -102,7 +102,7 @@ Index eliminate_one_by_one(Real* square, Index stride, Index width) {
     return width;
 }
 
-/// The same by halves.
+/// Eliminates the columns of [width, width] in place, by halves. Returns their number.
 template <class Real>
 Index eliminate_square(Real* square, Index stride, Index width, const Threads& threads) {
     if (width <= smallest_block) return eliminate_one_by_one(square, stride, width);

@@ -19,8 +19,8 @@ template <class Real>
 using ConstColumn = Eigen::Map<const Eigen::Matrix<Real, Eigen::Dynamic, 1>>;
 
 /// Cholesky factorization of the upper square [width, width] of a matrix [height, width], and below <- below
-/// square^-T for the rows below it, in place; of the square the lower triangle counts. Returns how many
-/// columns have been eliminated: if not all, the next one has a pivot, still in its place, that is not
+/// square^-T for the rows below it, in place; only the lower triangle of the square is used. Returns the
+/// number of eliminated columns: if not all, the next one has a pivot, still in its place, that is not
 /// positive.
 template <class Real>
 Index eliminate_columns(Real* matrix, Index height, Index width, const Threads& threads);
@@ -30,12 +30,12 @@ template <class Real>
 void negative_square(const Real* panel, Index stride, Index rows, Index columns, Real* target,
                      const Threads& threads);
 
-/// What eliminate_columns() has made of a matrix does to a right side: own <- square^-1 own, [width], and
-/// below <- the rows below times own, [height - width].
+/// Forward substitution with the result of eliminate_columns(): own <- square^-1 own, [width], and below <-
+/// the rows below times own, [height - width].
 template <class Real>
 void substitute_forward(const Real* matrix, Index height, Index width, Real* own, Real* below);
 
-/// And back: own <- square^-T (own - the rows below, transposed, times below).
+/// Back substitution: own <- square^-T (own - the rows below, transposed, times below).
 template <class Real>
 void substitute_back(const Real* matrix, Index height, Index width, Real* own, const Real* below);
 

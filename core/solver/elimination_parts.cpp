@@ -9,13 +9,13 @@
 namespace sherd {
 namespace {
 
-/// A factor with fewer entries is done in less time than threads take to meet.
+/// Entries of a factor below which threads cost more time than they save.
 constexpr double least_entries = 2e5;
-/// Of all operations, the most that a subtree in a part may have. With less, more of them would be above,
-/// where only the parts of dense matrices are shared.
+/// Largest share of all operations that a subtree in a part may have. With a smaller one, more operations
+/// would be above the parts, where only strips of dense matrices are shared.
 constexpr double largest_part = 1.0 / 6;
 
-/// The operations of each supernode's subtree, as in Supernodes::operations(), of blocks.
+/// Operations of each supernode's subtree, as in Supernodes::operations(), but of blocks.
 std::vector<double> subtree_operations(const Supernodes& pattern) {
     std::vector<double> all(pattern.size());
     for (Index node = 0; node < pattern.size(); ++node) {
@@ -35,7 +35,7 @@ EliminationPart part_of(const Supernodes& pattern, Index begin, Index end) {
     EliminationPart part{begin, end, pattern.first[begin], pattern.first[end] - pattern.first[begin], {}};
     for (Index node = begin; node < end; ++node) {
         if (pattern.parent[node] < end && pattern.parent[node] >= 0) continue;
-        // A root: what its subtree has outside is among its rows.
+        // A root in the part: its rows include all rows of its subtree outside of the part.
         const std::span<const Index> rows = pattern.rows_below(node);
         part.outside.insert(part.outside.end(), rows.begin(), rows.end());
     }
@@ -69,7 +69,7 @@ EliminationParts::EliminationParts(const Supernodes& pattern)
         begin = end;
         in_part = 0;
     };
-    // Subtrees follow each other, and what is above them follows them.
+    // Subtrees come one after the other, and the supernodes above them come last.
     for (Index node = 0; node < pattern.size(); ++node) {
         const Index parent = pattern.parent[node];
         if (is_above[node] != 0) {

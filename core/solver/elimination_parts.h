@@ -7,22 +7,22 @@
 
 namespace sherd {
 
-/// Supernodes in sequence, of whole subtrees, which can be eliminated while others are.
+/// Consecutive supernodes, of whole subtrees, which can be eliminated in parallel with other parts.
 struct EliminationPart {
     Index first = 0, end = 0;             ///< supernodes
-    Index first_column = 0, columns = 0;  ///< theirs, which follow each other
-    std::vector<Index> outside;           ///< the rows of theirs that come after these columns, ascending
+    Index first_column = 0, columns = 0;  ///< consecutive columns of these supernodes
+    std::vector<Index> outside;           ///< rows of these supernodes after these columns, ascending
 };
 
-/// How the supernodes of a factor are shared: parts beside each other, then what is above them, one by one.
+/// Division of a factor's supernodes among threads: parts in parallel, then the supernodes above, one by one.
 struct EliminationParts {
     explicit EliminationParts(const Supernodes& pattern);
 
     std::vector<EliminationPart> parts;
     std::vector<Index> above;    ///< supernodes, ascending
     std::vector<char> is_above;  ///< [S]
-    /// Of each of Supernodes::row where it is in a vector with the columns of its part and then its rows
-    /// outside; of supernodes above in a vector of all rows.
+    /// For each entry of Supernodes::row its index in a vector with the columns of its part and then the rows
+    /// outside; for supernodes above, in a vector of all rows.
     std::vector<Index> place;
 };
 

@@ -6,7 +6,7 @@
 namespace sherd {
 namespace {
 
-/// The Hessian at x; with another place, contact's part of it is the mean of both.
+/// Sets the Hessian at x; with positions `elsewhere`, the contact part is the mean of both.
 void set_hessian(const Potential& potential, const Positions& x, const Positions* elsewhere,
                  Curvature curvature, BlockMatrix& matrix) {
     potential.hessian(x, curvature, matrix);

@@ -11,25 +11,25 @@
 
 namespace sherd {
 
-/// Part of a shell whose own equations are solved with the Hessian as it is, the vertices around it held.
+/// Part of a shell whose equations are solved with the present Hessian while the vertices around it are held.
 class HessianPatch {
   public:
-    /// The Hessian is that at x, its part of contact perhaps the mean of x and another place. graph: of all
-    /// blocks but those of contacts. inside: [V] flags. Returns false if the part's matrix, even the convex
-    /// one, is not positive definite.
+    /// Factorizes the Hessian at x inside; with positions `elsewhere` (null: none), the contact part is the
+    /// mean of both. graph: of all blocks but those of contacts. inside: [V] flags. Returns false if the
+    /// part's matrix, even the convex one, is not positive definite.
     bool build(const Potential& potential, const VertexGraph& graph, const Positions& x,
                const Positions* elsewhere, const std::vector<char>& inside, const Threads& threads);
     void clear() { matrix.reset(); }
     bool empty() const { return !matrix; }
-    /// The motion inside, m, with which the forces there vanish; zero elsewhere. right_side: N, [3, V].
+    /// Displacement inside, m, with which the forces there vanish; zero elsewhere. right_side: N, [3, V].
     Positions solve(const Positions& right_side) const;
-    /// right_side less the Hessian times a motion: of the vertices inside, and for motions that are zero
-    /// elsewhere of all.
+    /// right_side less the Hessian times a motion: correct for the vertices inside, and for all vertices if
+    /// the motion is zero elsewhere.
     Positions residual(Positions right_side, const Positions& motion) const;
 
   private:
-    std::vector<Index> vertices;  ///< inside and next to it, ascending
-    std::vector<Index> inner;     ///< those inside, ascending
+    std::vector<Index> vertices;  ///< vertices inside and next to it, ascending
+    std::vector<Index> inner;     ///< vertices inside, ascending
     std::optional<BlockMatrix> matrix;
     std::unique_ptr<LinearSolver> solver;
 };

@@ -6,7 +6,7 @@
 namespace sherd {
 namespace {
 
-constexpr double outer_force = 1e-9;  // of all forces of contact, below which it is round-off
+constexpr double outer_force = 1e-9;  // share of all contact forces, below which an outer force is round-off
 
 }  // namespace
 

@@ -5,10 +5,10 @@
 
 namespace sherd {
 
-/// Makes the last correction of a step keep the linear momentum of each loose piece, or of pieces that touch
-/// each other together, less what damping of mass takes, which an approximate inverse Hessian does not. What
-/// is held, or touches an obstacle or a body, is left alone, and so is what would move by more than
-/// `tolerance` (m). gradient: N, at x.
+/// Changes the last correction of a step so that each loose piece, or pieces in contact with each other
+/// together, keep their linear momentum, less the loss by mass damping; an approximate inverse Hessian does
+/// not keep it. Pieces that are held, or touch an obstacle or a body, or would move by more than `tolerance`
+/// (m), are left as they are. gradient: N, at x.
 void keep_momentum(const Potential& potential, const Positions& x, const Positions& gradient,
                    double tolerance, Positions& correction);
 

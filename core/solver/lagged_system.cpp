@@ -12,14 +12,16 @@
 namespace sherd {
 namespace {
 
-/// What contact may change of a diagonal block, and of what holds a loose piece, as a share of it in the
-/// direction that is softest beside the change, before a patch is needed; and of itself where it is known. A
-/// block is far stiffer than what sheets and shards do as a whole, and a share of it may be many times that;
-/// what changes by a share of itself stays a preconditioner for these, too.
+/// Change of the contact stiffness of a vertex that needs no patch: as a share of its diagonal block, and of
+/// the resistance of a loose piece, in the direction in which that is softest compared with the change; and
+/// as a share of a known contact stiffness. A block is far stiffer than the rigid motions and long waves of
+/// sheets and shards, so that a share of it may be many times their stiffness; a contact stiffness that
+/// changes by a share of itself remains a good preconditioner for these, too.
 constexpr double small_change = 0.03, small_part = 0.3;
-/// When a search has had so many systems, and contact is as it was in one of them, it comes and goes.
+/// Number of systems in a search from which on a contact stiffness that one of them had is taken to
+/// alternate.
 constexpr std::size_t most_fitted = 5;
-constexpr int rings_around = 3;        // of a patch around what has changed
+constexpr int rings_around = 3;        // rings of a patch around changed vertices
 constexpr double largest_patch = 0.4;  // share of the vertices, beyond which a factor costs little more
 
 void grow(const Shell& shell, std::vector<char>& flags) {
@@ -29,9 +31,8 @@ void grow(const Shell& shell, std::vector<char>& flags) {
             for (const Index vertex : triangle.vertices) flags[vertex] = 1;
 }
 
-/// The inertia of each vertex's piece, and its damping of mass, N/m, [V]: all that a loose piece has against
-/// a motion as a whole, and little beside its own stiffness where it is small. 0 where pins or guides hold
-/// it.
+/// Inertia and mass damping of each vertex's piece, N/m, [V]: the only resistance of a loose piece to a rigid
+/// motion, and small beside the elastic stiffness of a small piece. 0 where pins or guides hold the piece.
 VectorXd inertia_of_pieces(const Potential& potential) {
     const Shell& shell = potential.of_shell();
     const Pieces all = pieces(shell);
@@ -45,7 +46,7 @@ VectorXd inertia_of_pieces(const Potential& potential) {
     return result;
 }
 
-/// Whether a change is no larger than what is allowed, a positive definite matrix, in any direction.
+/// Whether a change is at most `allowed`, a positive definite matrix, in every direction.
 bool is_within(const Matrix3d& change, const Matrix3d& allowed) {
     const Matrix3d inverse_root = allowed.llt().matrixL().solve(Matrix3d::Identity());
     return (inverse_root * change * inverse_root.transpose()).norm() <= 1;

@@ -7,25 +7,26 @@
 namespace sherd {
 
 struct MinimiserResult {
-    int iterations = 0;  ///< in explicit steps substeps
+    int iterations = 0;  ///< number of substeps in explicit steps
     bool converged = false;
-    bool limited = false;   ///< whether it ended because it had all the iterations that it was given
+    bool limited = false;   ///< whether it ended because of the limit on iterations
     double correction = 0;  ///< m, largest coordinate of the last correction
-    bool passes = false;    ///< whether a step to this solution passes through something: see Contact
+    bool passes = false;    ///< whether surfaces cross in a step to this solution: see Contact
 };
 
 /// Finds the minimum of a potential. It may keep patterns, orderings and factors from one call to the next,
-/// so it must be told of changes.
+/// so that changes must be passed to topology_changed().
 struct Minimiser {
     virtual ~Minimiser() = default;
     /// Must be called when vertices were added or hinges removed: the potential has another pattern, and the
     /// next minimisation starts near x [3, V] m.
     virtual void topology_changed(const ShellChange& change, const Potential& potential,
                                   const Positions& x) = 0;
-    /// Moves x [3, V] m towards the minimum, in at most `max_iterations` iterations of Newton's method or in
-    /// what replaces them. The potential must be finite at x; it stays finite along every motion.
+    /// Moves x [3, V] m towards the minimum, in at most `max_iterations` iterations of Newton's method or
+    /// iterations of another one that take as long. The potential must be finite at x; it stays finite along
+    /// every motion.
     virtual MinimiserResult minimise(Potential& potential, int max_iterations, Positions& x) = 0;
-    /// m; the largest coordinate of the last correction.
+    /// Sets the tolerance, m, of the largest coordinate of the last correction.
     virtual void set_tolerance(double tolerance) = 0;
     virtual void visit_state(StateVisitor& visit) = 0;
 };

@@ -138,7 +138,7 @@ double MultifrontalFactor<Real>::eliminate(Index node, Stack& stack, const Threa
     if (const Index j = eliminate_columns(panel(node), rows, columns, team); j < columns) {
         const double share =
             column_of(panel(node), rows, j)[j] / std::abs(diagonal_before[3 * pattern->first[node] + j]);
-        return share < 1 ? share : 0;  // not a number, or infinite
+        return share < 1 ? share : 0;  // 0: not a number, or infinite
     }
     Real* const left = stack.values.data() + stack.top;
     negative_square(panel(node) + columns, rows, rows - columns, columns, left, team);
@@ -168,7 +168,7 @@ bool MultifrontalFactor<Real>::factorize(const BlockMatrix& matrix) {
     return pivot == 1;
 }
 
-/// The columns of a supernode, y <- L^-1 y, and what they do to the rows below. below: a buffer.
+/// Forward substitution y <- L^-1 y in the columns of a supernode and for the rows below. below: a buffer.
 template <class Real>
 void MultifrontalFactor<Real>::solve_forward(Index node, Vector& y, Vector& below) const {
     const Index rows = height(node), columns = width(node), rest = rows - columns;
@@ -178,7 +178,7 @@ void MultifrontalFactor<Real>::solve_forward(Index node, Vector& y, Vector& belo
         y.template segment<3>(3 * at[columns / 3 + a]) -= below.template segment<3>(3 * a);
 }
 
-/// y <- L^-T y, from the rows below.
+/// Back substitution y <- L^-T y in the columns of a supernode, from the rows below.
 template <class Real>
 void MultifrontalFactor<Real>::solve_backward(Index node, Vector& y, Vector& below) const {
     const Index rows = height(node), columns = width(node), rest = rows - columns;
@@ -194,7 +194,7 @@ VectorXd MultifrontalFactor<Real>::solve(const VectorXd& right_side) const {
     const double scale = right_side.size() > 0 ? right_side.cwiseAbs().maxCoeff() : 0;
     if (!(scale > 0)) return VectorXd::Zero(right_side.size());
     Vector y(right_side.size());
-    Vector below = Vector::Zero(right_side.size());  // BLAS may look at what it is to overwrite
+    Vector below = Vector::Zero(right_side.size());  // BLAS may read entries that it overwrites
     for (Index v = 0; v < vertices; ++v)
         y.template segment<3>(3 * pattern->place[v]) =
             (right_side.segment<3>(3 * v) / scale).template cast<Real>();

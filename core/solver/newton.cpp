@@ -18,7 +18,7 @@ bool line_search(const Potential& potential, const Positions& direction, double 
     double scale = potential.safe_fraction(x, direction);
     if (scale == 0) return false;
     const double start = potential.value(x), round_off = potential.round_off() + 1e-12 * std::abs(start);
-    if (-slope <= round_off) {  // shorter steps could not be judged
+    if (-slope <= round_off) {  // the decrease of shorter steps would be lost in round-off
         x += scale * direction;
         return true;
     }

@@ -13,61 +13,64 @@ namespace {
 
 /// Iterations that take about as long as one of Newton's method.
 constexpr int per_newton_iteration = 4;
-/// A step is long enough if the slope at its end is at most this share of that at its beginning, upwards: on
+/// A step is not too long if the slope at its end is at most this share of that at its beginning, upwards: on
 /// a parabola it then has lowered the potential (Hager, Zhang 2005, the approximate Wolfe conditions, which
 /// round-off of the potential does not touch).
 constexpr double steepest_end = 0.8;
 constexpr int most_trials = 30;
-/// And not too short, where a longer one was too long: the slope has fallen to this share, or the two are
-/// nearly the same, or a few trials did not find better.
+/// After a longer step that was too long, a step is not too short if the slope has fallen to the share
+/// `least_end`, or the two steps differ by less than the share `narrow`, or after `enough_trials` trials.
 constexpr double least_end = 0.5, narrow = 0.2;
 constexpr int enough_trials = 4;
-/// A slope that has changed by less from its beginning on has met nothing yet.
+/// Share of the slope at the beginning; a steeper slope has met no contact yet.
 constexpr double nothing_met = 0.9;
-/// Of an edge, how far a correction is followed before its slope is looked at. Contact in a motion costs the
-/// more the longer it is, and most that are longer are wrong.
+/// Length over the mean edge length that a correction is followed at first, before its slope is evaluated.
+/// Contact detection takes the longer the longer a motion is, and most longer corrections are wrong.
 constexpr double share_of_edge = 0.1;
-/// Iterations that a search takes with a new factor; and how often those that a factorization costs are spent
-/// in one search before it gets a new one, whatever its rate.
+/// Iterations that a search takes with a new factor; and how many times the cost of a factorization a search
+/// may spend on iterations before it gets a new factor, whatever its rate.
 constexpr double typical_with_new_factor = 2, most_with_a_factor = 6;
-/// The first corrections with a factor do not tell their rate yet, unless one is far too long: the slope
+/// The first corrections with a factor do not show their rate yet, unless one is far too long: the slope
 /// rises before this share of it.
 constexpr int first_corrections = 3;
 constexpr double far_too_long = 0.5;
-/// When the second correction of a new factor is, each gets a new one until they fall to this share of the
-/// one before: the Hessian changes as fast as the sheet moves.
+/// If the second correction of a new factor is far too long, each correction gets a new factor until one
+/// falls to this share of the one before: the Hessian changes as fast as the sheet moves.
 constexpr double falls_fast = 0.2;
-/// When the first correction of an old one is, that many searches at most begin with a new one.
+/// If the first correction of an old factor is far too long, at most this number of searches begin with a new
+/// factor.
 constexpr int most_anew = 16;
-/// Rates at which corrections fall are taken to be no faster than they were, and until two are known of the
-/// same system as slow as this: a system that is too stiff makes small corrections.
+/// Slowest rate at which corrections are taken to fall. It is the rate until two corrections of the same
+/// system are known, and no rate is taken to be faster than the one before: a system that is too stiff makes
+/// small corrections.
 constexpr double slowest_rate = 0.99;
-/// Share of the tolerance that may be left of the way. The last correction of Newton's method is the square
-/// of the one before, and what is left after it far smaller; energy balances show it.
+/// Share of the tolerance that the distance left to the minimum may have. The last correction of Newton's
+/// method is the square of the one before, and the distance left after it far smaller; energy balances show
+/// it.
 constexpr double may_be_left = 0.1;
-/// A correction tells how far it is to the minimum if the largest force falls to this share. It does not
-/// where a contact has become far too stiff: its force is then halved at best, and positions that hardly move
-/// do not show how wrong it is. Up to `most_more` corrections follow then, unless one is below
-/// `share_of_round_off` of the tolerance, where round-off is all that is left.
+/// A correction shows the distance to the minimum if the largest force falls to the share `forces_fall`. It
+/// does not where a contact has become far too stiff: its force is then halved at best, and positions that
+/// hardly move do not show the error. Up to `most_more` corrections follow then, unless one is below
+/// `share_of_round_off` of the tolerance, where only round-off is left.
 constexpr double forces_fall = 0.3, share_of_round_off = 1e-3;
 constexpr int most_more = 20;
-/// Forces and all else of an iteration, and a Hessian, in entries of a factor for each vertex that take as
-/// long.
+/// Time of the forces and all else in an iteration, and of a Hessian, in entries of a factor for each vertex
+/// that take as long.
 constexpr double entries_of_forces = 1000, entries_of_hessian = 2500;
 
-/// A place on the way along a correction.
+/// A point along a correction.
 struct Place {
     double scale = 0;  ///< share of the correction
     double slope = 0;  ///< J
 };
 
-/// Where to look between a place that is near enough and one that is too far. farther: one beyond that, if
-/// its share is not 0.
+/// Returns the share to try between a point that is near enough and one that is too far. farther: one beyond
+/// that, if its share is not 0.
 double between(const Place& near, const Place& far, const Place& farther, double slope) {
     const double secant = std::isfinite(far.slope) ? near.slope / (near.slope - far.slope) : 0;
     const double safe = near.scale + (far.scale - near.scale) * std::clamp(secant, 0.1, 0.6);
     if (farther.scale == 0 || near.slope > nothing_met * slope) return safe;
-    // Something stiff is met on the way, and from there on the slope is nearly straight.
+    // A stiff contact begins on the way, and from there on the slope is nearly straight.
     const double met = far.scale - far.slope * (farther.scale - far.scale) / (farther.slope - far.slope);
     return met > safe && met < far.scale ? met : safe;
 }
@@ -76,7 +79,7 @@ double between(const Place& near, const Place& far, const Place& farther, double
 
 void QuasiNewton::topology_changed(const ShellChange& change, const Potential&, const Positions&) {
     system.topology_changed(change);
-    anew = 0;  // a crack leaves the sheet where it is
+    anew = 0;  // a crack does not move the sheet
 }
 
 double QuasiNewton::iterations_per_factorization(const Potential& potential) const {
@@ -123,7 +126,7 @@ double QuasiNewton::left(const Positions& direction, Search& search) {
     const double slower = is_known ? std::min(std::max(rate, search.rate), slowest_rate) : slowest_rate;
     search.rate = rate;
     search.last = now;
-    // What is left after an exact correction is far smaller than it, as in Newton's method.
+    // The distance left after an exact correction is far smaller than it, as in Newton's method.
     return search.exact ? may_be_left * now : now * std::max(1.0, slower / (1 - slower));
 }
 
@@ -148,7 +151,8 @@ bool QuasiNewton::advance(const Potential& potential, const Positions& direction
                 scale = whole = std::max(near.scale, potential.safe_fraction(x, direction));
                 continue;
             }
-            // A contact that begins on the way is to be met, not approached in ever smaller steps.
+            // A step has to reach a contact that begins on the way, instead of approaching it in ever smaller
+            // steps.
             if (far.scale == 0 || end > least_end * slope || far.scale - near.scale < narrow * near.scale ||
                 trial > enough_trials)
                 break;
@@ -190,7 +194,7 @@ void QuasiNewton::refit(const Potential& potential, const Positions& x, Search& 
         search.updates.clear();
         search.last = 0;
         search.iterations = 0;
-        search.too_long = false;  // it was because of a contact
+        search.too_long = false;  // because of a contact
     }
     if (!is_slow(potential, search)) return;
     search.each_anew = !search.is_old && search.too_long && search.total == 2;

@@ -10,13 +10,13 @@
 
 namespace sherd {
 
-/// Quasi-Newton method: the factor of an earlier Hessian, turned with the motion, and what the last
-/// iterations tell of the changes since. It factors anew when the iterations that it takes more than with a
-/// new factor have cost more than one.
+/// Quasi-Newton method with the factor of an earlier Hessian, rotated with the motion, and the updates of the
+/// last iterations (L-BFGS). It factorizes again when the iterations in excess of those with a new factor
+/// have cost more than a factorization.
 class QuasiNewton : public Minimiser {
   public:
-    /// tolerance: m; the method has converged when the largest coordinate of the last correction, and what is
-    /// left by the rate at which corrections fall, are below it.
+    /// tolerance: m; the method has converged when the distance left to the minimum, by the rate at which
+    /// corrections fall, is below a tenth of it.
     explicit QuasiNewton(double tolerance = 1e-9, Threads threads = Threads())
         : tolerance(tolerance), system(std::move(threads)) {}
     void topology_changed(const ShellChange& change, const Potential& potential, const Positions& x) override;
@@ -28,33 +28,34 @@ class QuasiNewton : public Minimiser {
     /// The state of one minimisation.
     struct Search {
         Positions gradient;       ///< N, at x
-        UpdateMemory updates{8};  ///< since the last factorization of this search
+        UpdateMemory updates{8};  ///< updates since the last factorization of this search
         double short_way = 0;     ///< m, see share_of_edge
-        double round_off = 0;     ///< J, of the potential
+        double round_off = 0;     ///< J, round-off of the potential
         double last = 0;          ///< m, largest coordinate of the last correction; 0: of another factor
-        double rate = 0;          ///< at which corrections have fallen
-        int iterations = 0;       ///< with the present factor and patch
-        int total = 0;            ///< with the present factor
+        double rate = 0;          ///< rate at which corrections have fallen
+        int iterations = 0;       ///< number with the present factor and patch
+        int total = 0;            ///< number with the present factor
         double last_exact = 0;    ///< m, largest coordinate of the last correction of a new factor
-        bool exact = false;       ///< whether the factor is of x
-        bool too_long = false;    ///< whether the last correction was, and not because of a contact
+        bool exact = false;       ///< whether the factor is that of the Hessian at x
+        bool too_long = false;    ///< whether the last correction was too long, and not because of a contact
         bool is_old = false;      ///< whether the factor was made for another search
         bool each_anew = false;   ///< whether each correction gets a new factor, as in Newton's method
 
-        /// What a correction with a factor of x says of how long factors last.
+        /// Ends new factors for each correction if corrections with a factor of x fall fast.
         void judge_factor(double correction);
     };
 
     void begin(const Potential& potential, const Positions& x, Search& search);
-    /// Patches the factor where contacts have changed, or factors anew where that is likely to be cheaper.
+    /// Patches the factor where contacts have changed, or factorizes again where that is likely to be
+    /// cheaper.
     void refit(const Potential& potential, const Positions& x, Search& search);
     /// Whether a factorization is likely to cost less than the iterations ahead.
     bool is_slow(const Potential& potential, const Search& search) const;
     void factorize(const Potential& potential, const Positions& x, Search& search);
-    /// The next correction, m, [3, V], and the slope along it, J; a slope that is not negative if even the
-    /// Hessian at x gives none.
+    /// The next correction, m, [3, V], and the slope along it, J; the slope is not negative if even the
+    /// Hessian at x gives no descent.
     Positions correction(const Potential& potential, const Positions& x, Search& search, double& slope);
-    /// What is left of the way to the minimum, m, by the rate at which corrections fall.
+    /// Distance left to the minimum, m, by the rate at which corrections fall.
     double left(const Positions& direction, Search& search);
     /// Moves x along the correction as far as the slope falls. Returns whether it moved.
     bool advance(const Potential& potential, const Positions& direction, double slope, Positions& x,
@@ -65,9 +66,9 @@ class QuasiNewton : public Minimiser {
 
     double tolerance;
     LaggedSystem system;
-    int fewest = 0;               ///< iterations of a search with the present factor; 0: there was none
-    double spent = 0;             ///< iterations beyond those, since the factorization
-    int anew = 0, anew_next = 1;  ///< searches that begin with a new factor, and half as many the next time
+    int fewest = 0;               ///< fewest iterations of a search with the present factor; 0: no search yet
+    double spent = 0;             ///< iterations in excess of those, since the factorization
+    int anew = 0, anew_next = 1;  ///< searches to begin with a new factor, and half of the next number
 };
 
 }  // namespace sherd

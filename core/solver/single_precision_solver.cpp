@@ -37,13 +37,13 @@ class SinglePrecisionSolver : public LinearSolver {
     /// Operations of a factorization that take as long as an entry in a solution (measured: 54 to 67).
     static constexpr double operations_per_entry = 60;
 
-    /// A pivot that is below this share of its diagonal is so in double precision, too.
+    /// A pivot below this share of its diagonal entry is negative in double precision, too.
     static constexpr double surely_negative = -0.01;
 
     Threads threads;
     std::shared_ptr<const Supernodes> pattern;
     std::optional<MultifrontalFactor<float>> single;
-    std::optional<MultifrontalFactor<double>> exact;  ///< where single precision does not do
+    std::optional<MultifrontalFactor<double>> exact;  ///< set where single precision does not suffice
 };
 
 }  // namespace

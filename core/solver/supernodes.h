@@ -17,10 +17,10 @@ struct Supernodes {
     std::vector<Index> place;        ///< [V] row of each vertex
     std::vector<Index> first;        ///< [S + 1] first column of each supernode
     std::vector<Index> of_column;    ///< [V] the supernode of each column
-    std::vector<std::size_t> start;  ///< [S + 1] first of each supernode's `row`
-    std::vector<Index> row;          ///< of each supernode, ascending: its own columns, then those below
+    std::vector<std::size_t> start;  ///< [S + 1] start of each supernode's part of `row`
+    std::vector<Index> row;          ///< rows of each supernode, ascending: its own columns, then those below
     std::vector<Index> parent;       ///< [S] -1: none
-    /// Of each block below the diagonal of the matrix, in its order, the place in its supernode's rows.
+    /// Index of each block below the diagonal of the matrix, in its order, in its supernode's rows.
     std::vector<Index> block_place;
 
     Index size() const { return static_cast<Index>(parent.size()); }
@@ -40,8 +40,8 @@ Supernodes supernodes(const BlockMatrix& matrix, const std::vector<Index>& order
 
 /// An order of elimination of the vertices of a matrix in which its factor stays sparse, [V].
 std::vector<Index> elimination_order(const BlockMatrix& matrix);
-/// An order with further vertices, numbered from its size on, each behind its parent: what a crack doubles
-/// has a part of the neighbours that its parent had, so that an order that is good stays so.
+/// An order with further vertices, numbered from its size on, each behind its parent: a copy of a split
+/// vertex has a part of its parent's neighbours, so that a good order stays good.
 std::vector<Index> with_children(const std::vector<Index>& order, const std::vector<Index>& parents);
 
 }  // namespace sherd

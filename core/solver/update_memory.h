@@ -9,21 +9,22 @@
 
 namespace sherd {
 
-/// What the last steps of a minimisation tell of the inverse Hessian, on top of an approximate one: limited
-/// memory BFGS (Nocedal 1980; Nocedal, Wright, Numerical Optimization, algorithm 7.4).
+/// Corrections of an approximate inverse Hessian by the last steps of a minimisation: limited memory BFGS
+/// (Nocedal 1980; Nocedal, Wright, Numerical Optimization, algorithm 7.4).
 class UpdateMemory {
   public:
     explicit UpdateMemory(std::size_t size) : size(size) {}
     void clear() { updates.clear(); }
-    /// step: m, change: N, of the gradient along it; [3, V] each. What shows no convexity is left out.
+    /// Adds a step, m, and the change of the gradient along it, N; [3, V] each. Steps without positive
+    /// curvature are ignored.
     void add(Positions step, Positions change) {
         const double product = step.cwiseProduct(change).sum();
         if (!(product > least_cosine * step.norm() * change.norm())) return;
         if (updates.size() == size) updates.pop_front();
         updates.push_back({std::move(step), std::move(change), 1 / product});
     }
-    /// The approximate inverse Hessian times a gradient, m, [3, V]. solve(residual): the inverse that it
-    /// starts from.
+    /// The approximate inverse Hessian times a gradient, m, [3, V]. solve(residual): applies the inverse to
+    /// be corrected.
     template <class Solve>
     Positions apply(Positions gradient, const Solve& solve) const {
         std::vector<double> shares(updates.size());

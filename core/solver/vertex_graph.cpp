@@ -19,7 +19,7 @@ VertexGraph::VertexGraph(Index vertices, const std::vector<std::pair<Index, Inde
         all[next[j]++] = i;
     }
     first.push_back(0);
-    std::vector<Index> last(vertices, -1);  // vertex around which one was found last
+    std::vector<Index> last(vertices, -1);  // vertex around which each was found last
     for (Index v = 0; v < vertices; ++v) {
         last[v] = v;
         for (std::size_t at = named[v]; at < named[v + 1]; ++at)

@@ -9,7 +9,7 @@
 
 namespace sherd {
 
-/// For each vertex the others that it has a block with.
+/// Neighbours of each vertex: the others with which it has a block.
 class VertexGraph {
   public:
     VertexGraph() = default;

@@ -10,9 +10,9 @@ namespace sherd {
 /// Inverse frames of all faces at x [3, V] m: of two edges and the normal, [F].
 std::vector<Matrix3d> inverse_frames(const Shell& shell, const Positions& x);
 
-/// How the sheet around each vertex has turned since its faces had these inverse frames: the rotation of the
-/// mean deformation gradient of the faces around it, weighted with their areas, [V]. It is the identity for
-/// vertices that are held or guided, and where faces do not tell.
+/// Rotation of the sheet around each vertex since its faces had these inverse frames: that of the mean
+/// deformation gradient of the faces around it, weighted with their areas, [V]. It is the identity for
+/// vertices that are held or guided, and where the gradient has no rotation.
 std::vector<Matrix3d> vertex_turns(const Shell& shell, const std::vector<Matrix3d>& inverse_frames,
                                    const Positions& x);
 

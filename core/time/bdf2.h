@@ -7,7 +7,7 @@ namespace sherd {
 
 /// The backward differentiation formula of second order, with steps of any length (Hairer, Norsett, Wanner,
 /// Solving Ordinary Differential Equations I, section III.5). Its first step is implicit Euler's. It damps
-/// what vibrates in a few steps, and leaves slow vibration nearly alone.
+/// vibrations with periods of a few steps, and slow ones hardly.
 class Bdf2 : public TimeScheme {
   public:
     StepContext begin(const Shell& shell, const std::vector<RigidBody>& bodies, double time,
@@ -24,9 +24,9 @@ class Bdf2 : public TimeScheme {
         Vector3d centre, velocity, angular_momentum;
         Matrix3d rotation;
     };
-    /// Where all was at the beginning of a step.
+    /// State at the beginning of a step, in SI units.
     struct Beginning {
-        double length = 0;  ///< s, of that step; 0: there has been none
+        double length = 0;  ///< s, of the step; 0: no step yet
         Positions position, velocity;
         std::vector<BodyState> bodies;
 
@@ -43,8 +43,8 @@ class Bdf2 : public TimeScheme {
     void put_origins(const Shell& shell, StepContext& step) const;
     BodyOrigin origin_of(const RigidBody& body, std::size_t number, double length) const;
 
-    Beginning at_begin, previous;  ///< of the open step, and of the last finished one
-    Weights weights;               ///< of the open step
+    Beginning at_begin, previous;  ///< beginning of the open step, and of the last finished one
+    Weights weights;               ///< weights of the open step
 };
 
 }  // namespace sherd

@@ -7,51 +7,52 @@ namespace sherd {
 
 /// The work of a step.
 struct StepWork {
-    /// All accounts but those of the ledger: lost_to_scheme has what the scheme takes of the kinetic energy,
-    /// and lost_to_cracks what edges take while they open.
+    /// All accounts that the ledger does not fill itself, J: lost_to_scheme is the kinetic energy that the
+    /// scheme dissipates, lost_to_cracks the energy that edges dissipate while they open.
     EnergyBalance balance;
-    /// Work against the forces of elasticity and contact, less what friction and yielding took of it, J: what
-    /// is stored would grow by as much if the forces were those along the way.
+    /// Work against the forces of elasticity and contact, less the dissipation of friction and yielding, J.
+    /// The stored energy would grow by this amount if the forces were those along the path.
     double against_stored = 0;
 };
 
-/// Keeps the balance of energy of a run, step by step, from numbers (J) that the stepper has. Stored energy
-/// is that of elasticity and contact; the moving energy is kinetic energy and gravity's.
+/// Energy balance of a run, step by step, from energies (J) that the stepper computes. Stored energy is that
+/// of elasticity and contact; moving energy is kinetic energy plus the potential energy of gravity.
 class EnergyLedger {
   public:
-    /// Opens a step with what is stored at its beginning. An open step is discarded; what changes of the
-    /// shell in it have taken counts as lost to cracks. moving: for the first step.
+    /// Opens a step with the energies at its beginning, and discards an open step. Stored energy lost since
+    /// the last step, by changes of the shell, counts as lost to cracks, moving energy as lost to remeshing.
     void begin(double stored, double moving);
-    /// The next step is another scheme's, whose contact may store less, or more, at the same positions: the
-    /// scheme takes it.
+    /// Must be called when the next step has another scheme or contact stiffness, so that it may store a
+    /// different energy at the same positions. The difference counts as lost to the scheme.
     void scheme_changed() { is_rebased = true; }
-    /// The step has been solved: that much is stored where a change of the shell will find it.
+    /// Sets the stored energy of the solution, from which a change of the shell will begin.
     void solved(double stored) { solution = stored; }
-    /// The same of the moving energy, for schemes whose solution has its velocities; else it is that of the
-    /// beginning.
+    /// Sets the moving energy of the solution, for schemes whose solution includes velocities; without a call
+    /// it is that of the beginning of the step.
     void moves(double moving) { motion = moving; }
-    /// The shell has changed since, at the same positions of the sheet: an edge has opened, or it has other
-    /// triangles (remeshed). Returns what that took of what was stored, J.
+    /// Must be called when the shell has changed since the solution, at the same positions of the sheet: an
+    /// edge has opened, or triangles have been replaced (remeshed). Returns the stored energy that was lost,
+    /// J.
     double topology_changed(double stored, double moving, bool remeshed);
     void finish(const StepWork& work, double stored, double moving);
-    /// J, that the scheme takes in the open step, whose work is this.
+    /// Returns the energy that the scheme dissipates in the open step with this work, J.
     double taken_by_scheme(const StepWork& work, double stored) const {
         return work.balance.lost_to_scheme + work.against_stored - (stored - at_begin) - opened - reshaped;
     }
 
-    const EnergyBalance& balance() const { return all; }  ///< of the finished steps
+    const EnergyBalance& balance() const { return all; }  ///< sum over the finished steps
 
   private:
     EnergyBalance all;
     bool started = false;
-    bool is_rebased = false;           ///< whether the next step is the first one of another scheme
+    bool is_rebased = false;           ///< whether the next step is the first of another scheme
     double last = 0, last_moving = 0;  ///< J, stored and moving at the end of the last step
     double at_begin = 0;               ///< J, stored at the beginning of the open step
     double solution = 0;               ///< J, stored when the open step was solved last
-    double motion = 0;                 ///< J, moving then, or at the beginning of the open step
-    double opened = 0;                 ///< J, what edges that opened in the open step stored
-    double reshaped = 0;  ///< J, what other triangles have taken of what was stored in the open step
-    double slowed = 0;  ///< J, what changes of triangles have taken of the moving energy since the last step
+    double motion = 0;                 ///< J, moving energy then, or at the beginning of the open step
+    double opened = 0;                 ///< J, stored energy lost to edges that opened in the open step
+    double reshaped = 0;               ///< J, stored energy lost to remeshing in the open step
+    double slowed = 0;                 ///< J, moving energy lost to remeshing since the last step
 };
 
 }  // namespace sherd

@@ -58,7 +58,8 @@ void EquilibriumPath::predict(Potential& potential, std::span<Energy* const> loa
 
 bool EquilibriumPath::correct(const Positions& moved, const Positions& to_equilibrium,
                               const Positions& tangent, Correction& correction) const {
-    // |moved + to_equilibrium + load tangent| = length scale: of the two solutions, that which turns less.
+    // The load solves |moved + to_equilibrium + load tangent| = length scale. Of its two solutions, the one
+    // is taken by which the path turns less.
     const Positions there = moved + to_equilibrium;
     const double a = product(tangent, tangent), b = product(there, tangent),
                  c = product(there, there) - std::pow(length * scale, 2);
@@ -82,7 +83,7 @@ MinimiserResult EquilibriumPath::solve(Potential& potential, std::span<Energy* c
                                        StepContext& step, int max_iterations, Positions& x) {
     MinimiserResult result;
     if (!predicted) predict(potential, loads, step, x);
-    int since = 0;  // the last jump
+    int since = 0;  // iterations since the start, or since the last load was reached
     while (result.iterations < max_iterations && since < most_iterations) {
         system.factorize(potential, x);
         ++result.iterations;

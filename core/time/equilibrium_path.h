@@ -9,11 +9,11 @@
 
 namespace sherd {
 
-/// The path of equilibria of a shell under a load factor that is unknown itself, so that the path goes on
+/// The path of equilibria of a shell under a load factor that is unknown itself, so that the path continues
 /// past limit points, where the load falls (arc length: Riks 1979, Crisfield 1981). Each step ends at an
 /// equilibrium at a given distance from the last one: the root mean square of the displacement, weighted
-/// with masses, over what the first loads move it for a load factor of 1. Lengths along the path therefore
-/// begin as load factors. Equilibria need not be stable.
+/// with masses, divided by the displacement that the loads cause at first for a load factor of 1. Lengths
+/// along the path therefore begin as load factors. Equilibria need not be stable.
 class EquilibriumPath {
   public:
     /// The shell must outlive this object. tolerance: m, see Newton. last_load: the load factor at which the
@@ -27,7 +27,7 @@ class EquilibriumPath {
     /// step.load.
     MinimiserResult solve(Potential& potential, std::span<Energy* const> loads, StepContext& step,
                           int max_iterations, Positions& x);
-    /// Must be called when the shell has changed; the same step goes on.
+    /// Must be called when the shell has changed; the open step continues.
     void topology_changed(const ShellChange& change, const Potential& potential, const Positions& x);
     /// Ends the step at x.
     void finish(const StepContext& step, const Positions& x);
@@ -48,25 +48,26 @@ class EquilibriumPath {
 
     double distance(const Positions& displacement) const;
     double product(const Positions& a, const Positions& b) const;
-    /// The change of positions with the load factor, m, at x: by the tangent of the path.
+    /// Tangent of the path at x: the displacement for each unit of the load factor, m, [3, V].
     Positions tangent(Potential& potential, std::span<Energy* const> loads, StepContext& step,
                       const Positions& x);
     void predict(Potential& potential, std::span<Energy* const> loads, StepContext& step, Positions& x);
-    /// The correction that keeps the distance from the step's beginning; false: there is none.
+    /// Finds the correction that keeps the distance from the step's beginning. Returns false if there is
+    /// none.
     bool correct(const Positions& moved, const Positions& to_equilibrium, const Positions& tangent,
                  Correction& correction) const;
-    /// Turns back to the last load if the step has passed it.
+    /// Moves x back to the last load if the step has passed it, and returns whether it had.
     bool passed(StepContext& step, std::span<Energy* const> loads, Positions& x);
 
     const Shell& shell;
     double tolerance, last_load;
     NewtonSystem system{indefinite_solver()};
     double start_load = 0;
-    double length = 0;       ///< of the open step
+    double length = 0;       ///< length of the open step along the path
     double scale = 0;        ///< m, distance of a path of length 1; 0 before the first step
     bool predicted = false;  ///< whether the open step has left its beginning
     bool at_last_load = false;
-    Positions direction;  ///< [3, V] m, displacement of the last step; empty before
+    Positions direction;  ///< [3, V] m, displacement of the last step; empty before the first
 };
 
 }  // namespace sherd

@@ -12,13 +12,13 @@
 namespace sherd {
 namespace {
 
-/// Contact begins and ends within a substep, which errs in energy by the square of substep times frequency:
-/// it therefore has a third of the longest one.
+/// Contact that begins or ends within a substep causes an error in energy of the order of (substep times
+/// frequency) squared: substeps with contact have a third of the stable length.
 constexpr double resolution_of_contact = 3;
-/// Growth of the largest strain after which the highest frequency is estimated anew: the membrane's stiffness
-/// along a stretch grows by three times as much.
+/// Growth of the largest strain after which the highest frequency is estimated again: the membrane's
+/// stiffness along a stretch grows by three times as much.
 constexpr double growth = 0.05;
-constexpr int most_again = 50'000;  // substeps of a step that is made again: more would seem to hang
+constexpr int most_again = 50'000;  // substeps of a repeated step; with more, it would seem to hang
 constexpr Index vertices_at_once = 512;
 
 /// The coordinates of the vertices from `begin` to before `end`, one after the other.
@@ -29,7 +29,7 @@ Eigen::Map<const Eigen::ArrayXd> range_of(const Positions& all, Index begin, Ind
     return {all.data() + 3 * begin, 3 * (end - begin)};
 }
 
-/// Masses, kg, [V], without those of what is told where to be.
+/// Masses, kg, [V], zero for fixed vertices.
 VectorXd free_mass(const Shell& shell) {
     VectorXd mass = shell.mass;
     for (Index v = 0; v < static_cast<Index>(mass.size()); ++v)
@@ -92,14 +92,14 @@ void ExplicitStepper::discard() {
 void ExplicitStepper::choose_substep() {
     const Stopwatch watch(spent, Task::elasticity);
     const double strain = forces.face_strains(shell.position).cwiseAbs().maxCoeff();
-    // Every crack counts: what it leaves alone may be a face that swings far faster than with its neighbours.
+    // Every crack counts: a face that it separates may have a far higher frequency than with its neighbours.
     if (changed || strain > strain_then + growth) {
         of_shell = highest_frequency([this](const Positions& x) { return elastic_gradient.at(x); }, shell,
                                      shell.position, mode);
         changed = false;
         strain_then = strain;
     }
-    // With the fall in the step: what lies at rest, just touching, is in contact in a moment.
+    // Gravity is included: a sheet at rest that just touches another comes into contact within the step.
     Positions motion = step.length * shell.velocity;
     motion.colwise() += step.length * step.length * options.gravity;
     of_contact = resolution_of_contact * std::sqrt(contact.largest_rate(step, motion));
@@ -187,7 +187,7 @@ void ExplicitStepper::measure_vertices() {
 }
 
 MinimiserResult ExplicitStepper::solve(int) {
-    const Stopwatch watch(spent, Task::other);  // except what is booked elsewhere
+    const Stopwatch watch(spent, Task::other);  // time that no other stopwatch measures
     if (made) return {0, true, 0};
     const OpeningEdges opening_then = opening;
     int made_substeps = make_step();
@@ -200,12 +200,12 @@ MinimiserResult ExplicitStepper::solve(int) {
 }
 
 int ExplicitStepper::make_step_again() {
-    ledger.scheme_changed();  // firm springs that were pressed may have been replaced
+    ledger.scheme_changed();  // stiff contact springs under load may have been replaced
     try {
         begin(step.length);
         if (substeps > most_again) ExplicitContact::refuse_passage();
         return make_step();
-    } catch (const std::runtime_error&) {  // that substeps would be too many tells nothing of the blow
+    } catch (const std::runtime_error&) {  // an error about too many substeps does not name the impact
         ExplicitContact::refuse_passage();
     }
 }
@@ -328,7 +328,7 @@ void ExplicitStepper::enter(const Work& of_substep) {
     work.against_stored += of_substep.against_stored + of_obstacles - of_friction;
     inertia_work += of_substep.of_inertia;
     if (shell.motions.empty()) return;
-    // What moves scripted vertices works against all forces on them.
+    // Supports with a prescribed motion work against all forces on their vertices.
     for (Index v = 0; v < static_cast<Index>(shell.script.size()); ++v)
         if (shell.script[v] != 0)
             balance.work_of_supports -= 0.5 * (before.on(v) + forces_now.on(v)).dot(moved.col(v));
@@ -383,7 +383,8 @@ void ExplicitStepper::finish() {
 std::vector<Reaction> ExplicitStepper::reactions() const {
     std::vector<Reaction> all(options.supports);
     if (options.supports > 0) {
-        // On what is held: mass times acceleration, which is zero where nothing moves it, less all forces.
+        // Reactions are the blocked forces. Mass times acceleration, zero unless a support moves, is left
+        // out.
         Positions blocked = -forces_now.sum();
         blocked -= options.gravity * shell.mass.transpose();
         Positions free = blocked;

@@ -13,10 +13,10 @@
 namespace sherd {
 
 /// Central differences with lumped masses (velocity Verlet). A step consists of as many substeps as stability
-/// asks for: the highest frequency is estimated when the run begins and when cracks have opened or strains
-/// have grown, and that of contact is bounded at the beginning of each step. Forces that depend on the
-/// velocity take that of the middle of the substep. Stiffness-proportional damping is the change of the
-/// elastic forces over a substep times the coefficient over its length.
+/// requires: the highest frequency is estimated when the run begins and when cracks have opened or strains
+/// have grown, and the frequency of contact is bounded at the beginning of each step. Forces that depend on
+/// the velocity take the velocity in the middle of the substep. Stiffness-proportional damping is the change
+/// of the elastic forces over a substep times the coefficient over its length.
 class ExplicitStepper : public Stepper {
   public:
     /// The shell must outlive this object.
@@ -26,8 +26,8 @@ class ExplicitStepper : public Stepper {
 
     using Stepper::begin;
     bool begin(double length) override;
-    /// Makes the whole step, once, or again with firmer contact where something would pass; its iterations
-    /// are substeps.
+    /// Makes the whole step, and repeats it with stiffer contact if surfaces would pass through each other.
+    /// The iterations of the result are substeps.
     MinimiserResult solve(int max_iterations) override;
     bool solves_again() const override { return false; }
     double held(Index edge) const override { return opening.held(edge); }
@@ -47,17 +47,17 @@ class ExplicitStepper : public Stepper {
     }
 
     void visit_state(StateVisitor& visit) override;
-    double substep() const { return length; }  ///< s, of the open step, or of the last one
+    double substep() const { return length; }  ///< s, of the open or last step
 
   private:
-    /// Forces on the shell, N, [3, V] each; outer: of loads, wind and damping by the medium, one each.
-    /// Damping and opening have no columns where nothing damps or opens.
+    /// Forces on the shell, N, [3, V] each. outer: of loads, wind and damping by the medium, one each.
+    /// Damping and opening have no columns if there are no such forces.
     struct Forces {
         Positions elastic, damping, opening;
         std::vector<Positions> outer;
         ContactForces contact;
 
-        Vector3d on(Index vertex) const;  ///< of all of them
+        Vector3d on(Index vertex) const;  ///< sum of all forces
         Positions sum() const;
         void visit_state(StateVisitor& visit) {
             auto& [elastic, damping, opening, outer, contact] = *this;
@@ -68,39 +68,40 @@ class ExplicitStepper : public Stepper {
     double stored_in_contact() const override { return contact.stored_energy(position); }
     PotentialEnergies elastic_energies() const override;
     void choose_substep();
-    /// Takes masses and guides of the shell as it is.
+    /// Copies masses, gravity and guides of the shell as it is.
     void measure_vertices();
     /// Work in a substep, J.
     struct Work {
         double against_stored = 0, of_inertia = 0, lost_to_friction = 0;
     };
-    /// Calls range(begin, end) for ranges of vertices that together are all.
+    /// Calls range(begin, end) for ranges that together contain all vertices, in several threads.
     template <class Range>
     void share_vertices(const Range& range) const;
-    /// Finds all forces at `position` but those of elasticity, of which only the gradient is found. Those of
-    /// the velocity take it as it is, that of the middle of a substep.
+    /// Computes all forces at `position`; of elasticity only the gradient in `elastic_gradient`. Forces that
+    /// depend on the velocity take `velocity` as it is: in the middle of a substep.
     void find_forces();
-    /// Takes forces and accelerations anew, at `position`.
+    /// Updates forces and accelerations at `position`.
     void feel();
     void accelerate() { accelerate(0, static_cast<Index>(position.cols())); }
     void accelerate(Index begin, Index end);
     void make_substep(double from);
     /// Makes the open step; returns how many substeps that took.
     int make_step();
-    int make_step_again();  ///< with firmer contact
-    /// The first half of the kick, and the motion.
+    int make_step_again();  ///< repeats the open step with stiffer contact
+    /// Makes the first half of the kick (change of the velocities), and moves the vertices.
     void move(double end);
-    /// Moves what is told where to be, from where `moved` has it.
+    /// Moves vertices with a prescribed motion to their places at the time `end` (s), and corrects `moved`.
     void move_scripted(double end);
-    /// Takes the forces of elasticity, and makes the second half of the kick.
+    /// Computes the elastic forces, and makes the second half of the kick.
     Work kick();
-    /// J, lost by forces that were and are, in the present motion.
+    /// Work against forces in the open substep, J, by their values at its beginning and end.
     double taken(const Positions& before, const Positions& now) const;
     void enter(const Work& of_substep);
-    /// That of the open step, which has been made, with the bodies'.
+    /// Work in the open step, bodies included; the step must have been made.
     StepWork all_work() const;
 
-    /// What must be added to the present forces for vertices to have accelerations as `before` (m/s^2): N.
+    /// Forces, N, that must be added to the present ones so that vertices have the accelerations `before`
+    /// (m/s^2).
     Positions kept_forces(const Positions& before) const;
 
     Threads threads;
@@ -108,29 +109,30 @@ class ExplicitStepper : public Stepper {
     ExplicitContact contact;
     OpeningEdges opening;
     std::vector<Energy*> elastic;
-    StepContext step;                  ///< the open one, or the last one
+    StepContext step;                  ///< the open step, or the last one
     double of_shell = 0;               ///< rad/s, highest frequency without contact
-    double of_contact = 0;             ///< rad/s, bound of that of contact alone
-    int substeps = 0;                  ///< of the open step, or of the last one
-    double length = 0;                 ///< s, of each of them
+    double of_contact = 0;             ///< rad/s, bound on the frequency of contact alone
+    int substeps = 0;                  ///< number of substeps in the open step, or in the last one
+    double length = 0;                 ///< s, length of a substep
     bool first = true;                 ///< whether no step has begun yet
-    bool made = false;                 ///< whether the open step has been made, or begun to be
+    bool made = false;                 ///< whether the open step has been made, in full or in part
     bool changed = true;               ///< whether the shell has changed since the frequency was estimated
-    double strain_then = 0;            ///< largest of all faces then
-    Positions mode;                    ///< of the highest frequency
+    double strain_then = 0;            ///< largest strain of all faces then
+    Positions mode;                    ///< [3, V] of the highest frequency
     Positions velocity, acceleration;  ///< m/s, m/s^2, at `position`
     Forces forces_now;
-    // Of the shell as it is, [3, V]: masses, kg, and of what is not held one over them and gravity; and what
-    // slides along guides.
+    // Copies of the shell's data, [3, V]: masses, kg; inverse masses, 1/kg, and gravity, m/s^2, both zero for
+    // fixed vertices; and the guided vertices, ascending.
     Positions mass, of_mass, gravity;
     std::vector<Index> guided;
-    // Of the open substep, kept to save allocations: m, [3, V], and what was at its beginning.
+    // Displacements in the open substep, m, [3, V], and the state at its beginning; members to save
+    // allocations.
     Positions moved, acceleration_before;
     Forces forces_before;
-    /// Energies at `position`; none: they have not been asked for since the shell has moved or changed.
+    /// Energies at `position`; none: not computed since the shell has moved or changed.
     mutable std::optional<PotentialEnergies> energies_now;
-    StepWork work;            ///< of the open step
-    double inertia_work = 0;  ///< J, of the forces on vertices that are not told where to be
+    StepWork work;            ///< work in the open step
+    double inertia_work = 0;  ///< J, work of mass times acceleration of the vertices that are not fixed
 };
 
 }  // namespace sherd

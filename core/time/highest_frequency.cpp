@@ -13,12 +13,11 @@
 namespace sherd {
 namespace {
 
-/// Share of the shortest edge that the trial displacements have: differences of forces are then exact to
-/// 1e-5.
+/// Length of trial displacements over the shortest edge: differences of forces are then exact to 1e-5.
 constexpr double trial = 1e-5;
-/// Share of noise that each start has, so that what a crack has made is found.
+/// Share of noise in each starting vector, so that modes that a crack has created are found.
 constexpr double noise = 0.05;
-/// Of a residual, over the square of the frequency.
+/// Largest residual over the square of the frequency.
 constexpr double tolerance = 0.03;
 constexpr Eigen::Index basis = 8, max_restarts = 200;
 
@@ -41,7 +40,7 @@ void start(const Shell& shell, Positions& mode) {
     constrain(shell, mode);
 }
 
-/// M^-1/2 K M^-1/2 of displacements times M^1/2, as Spectra asks for it.
+/// Operator M^-1/2 K M^-1/2 on displacements times M^1/2, with the interface that Spectra requires.
 struct StiffnessMap {
     using Scalar = double;
 
@@ -56,7 +55,7 @@ struct StiffnessMap {
     Eigen::Index cols() const { return x.size(); }
     void perform_op(const double* in, double* out) const {
         Positions moved = Eigen::Map<const Positions>(in, 3, x.cols()) * root.asDiagonal();
-        // Where few vertices are free the method begins anew from vectors that move others, too.
+        // Where few vertices are free the method restarts from vectors that move fixed vertices, too.
         constrain(shell, moved);
         if (!moved.isZero(0)) {
             const double scale = length / moved.cwiseAbs().maxCoeff();

@@ -8,9 +8,10 @@
 namespace sherd {
 
 /// Estimates the highest angular frequency, rad/s, of a shell at x [3, V] m with lumped masses, by Lanczos'
-/// method (Spectra's) on M^-1 K, with differences of forces for K. It comes from below. mode: [3, V], where
-/// the method starts and what it leaves for the next time; without columns it starts anew. Throws
-/// std::runtime_error when it does not converge. gradient: of the elastic energy, N, [3, V].
+/// method (Spectra's) on M^-1 K, with differences of forces for K. The estimate approaches it from below.
+/// mode: [3, V], the vector at which the method starts, replaced by the mode that it finds; without columns
+/// it starts from noise. Throws std::runtime_error if it does not converge. gradient: of the elastic energy,
+/// N, [3, V].
 double highest_frequency(const std::function<Positions(const Positions&)>& gradient, const Shell& shell,
                          const Positions& x, Positions& mode);
 

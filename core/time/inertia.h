@@ -7,8 +7,8 @@
 
 namespace sherd {
 
-/// Inertia and weight in one implicit step: 1 / (2 lag^2) (x - y)^T M (x - y), where y is the inertial
-/// prediction, to which the shell would move without other forces.
+/// Inertia and weight in one implicit step: 1 / (2 lag^2) (x - y)^T M (x - y), where y is the predictor, to
+/// which the shell would move without other forces.
 class Inertia : public ElementEnergy<VertexSprings> {
   public:
     /// The shell must outlive this object. gravity: m/s^2.
@@ -18,7 +18,7 @@ class Inertia : public ElementEnergy<VertexSprings> {
     double of_mass() const override { return per_mass; }
     Task task() const override { return Task::other; }
 
-    /// y, m, [3, V]; for fixed vertices, their positions at the end of the step.
+    /// Predictor y, m, [3, V]; for fixed vertices, their positions at the end of the step.
     const Positions& predicted() const { return elements.anchor; }
     void visit_state(StateVisitor& visit) override {
         static_assert(has_only<Inertia, ElementEnergy<VertexSprings>, decltype(shell), decltype(gravity),

@@ -4,7 +4,7 @@
 namespace sherd {
 namespace {
 
-constexpr double least_force = 1e-10;  // of the largest
+constexpr double least_force = 1e-10;  // share of the largest force
 
 }  // namespace
 

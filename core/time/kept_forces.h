@@ -8,25 +8,25 @@
 
 namespace sherd {
 
-/// What held an edge together when it failed, as forces on vertices.
+/// Forces on vertices that held an edge together when it failed.
 struct KeptForces {
     std::vector<Index> vertices;  ///< ascending
-    Positions forces;             ///< N, on each of them
+    Positions forces;             ///< N, on each of the vertices
 
     KeptForces() = default;
-    /// of_all: [3, V] N. Those below 1e-10 of the largest are round-off, and left out.
+    /// of_all: [3, V] N. Forces below 1e-10 of the largest are round-off, and left out.
     explicit KeptForces(const Positions& of_all);
-    /// J, against them when vertices move by `moved`, [3, V] m.
+    /// Work against the forces, J, when vertices move by `moved`, [3, V] m.
     double against(const Positions& moved) const {
         return -forces.cwiseProduct(moved(Eigen::all, vertices)).sum();
     }
-    /// The same from where these vertices were to where all are, x: [3, V] m.
+    /// Work against the forces, J, when their vertices move from `these` to their places in x, [3, V] m.
     double against_from(const Positions& these, const Positions& x) const {
         return -forces.cwiseProduct(of_these(x) - these).sum();
     }
-    /// Adds `share` of them to sums, [3, V].
+    /// Adds `share` times the forces to sums, [3, V] N.
     void add(double share, Positions& sum) const;
-    /// The columns of these vertices.
+    /// Columns that belong to `vertices`.
     Positions of_these(const Positions& of_all) const { return of_all(Eigen::all, vertices); }
     void visit_state(StateVisitor& visit) {
         auto& [vertices, forces] = *this;

@@ -7,7 +7,7 @@
 namespace sherd {
 namespace {
 
-constexpr double longest = 12;  // times the time of an opening, after which nothing holds an edge any more
+constexpr double longest = 12;  // times the time of an opening; then no cohesive force is left
 
 }  // namespace
 
@@ -35,7 +35,7 @@ void OpeningEdges::fade(const Positions& moved, double length) {
         one.age += length;
         const double reached = one.taken + one.share * std::max(0.0, against);
         const double before = one.share, left = std::sqrt(std::max(0.0, 1 - reached / one.needed));
-        // What is left where the edge closes would drive it: it rests until the edge opens again.
+        // Where the edge closes, the forces left would drive it: they are zero until the edge opens again.
         one.share = against < 0 ? 0 : std::min(left, std::max(0.0, 1 - one.age / one.longest));
         one.taken = left > 0 ? one.taken + std::max(0.0, 0.5 * (before + one.share) * against) : one.needed;
     }

@@ -9,22 +9,23 @@
 
 namespace sherd {
 
-/// Edges that open gradually in explicit steps, so that each takes the energy that its crack needs. When an
-/// edge fails, what held it together stays as forces on the vertices, which keep their accelerations. These
-/// forces fade as they take energy: to the share sqrt(1 - W / W_c), with their work W against the opening and
-/// all that they shall take, W_c, and to nothing after twelve times the time of an opening. They act as
-/// friction does: never as a motor. So where what held an edge opposes what is kept of one before, as after
-/// an opening that gave energy and the next that takes it away, the two cancel.
+/// Edges that open gradually in explicit steps, so that each dissipates the energy that its crack requires.
+/// When an edge fails, the forces that held it together stay on the vertices, which keep their accelerations.
+/// These cohesive forces fade as they dissipate energy: to the share sqrt(1 - W / W_c), where W is their work
+/// against the opening and W_c all that they shall dissipate, and to zero after twelve times the time of an
+/// opening. Like friction, they never drive a motion. Where the forces of a new edge oppose those left of an
+/// earlier one, as after an opening that released energy and one that absorbs it, the two therefore cancel.
 class OpeningEdges {
   public:
-    /// kept: [3, V] N, what held the edge together. gone: J, that went out of what is stored at once.
+    /// Adds an edge that fails. kept: [3, V] N, the forces that held it together. gone: J, stored energy that
+    /// was lost at once.
     void open(const Opening& edge, Positions kept, double gone);
-    /// Lets the forces fade over a substep of `length` s in which vertices moved by `moved`, [3, V] m.
+    /// Reduces the forces after a substep of `length` s in which vertices moved by `moved`, [3, V] m.
     void fade(const Positions& moved, double length);
 
-    /// The forces now, N; as many columns as vertices.
+    /// Adds the present forces to `sum`, N, [3, V].
     void add_forces(Positions& sum) const;
-    /// Share of what held an edge together that still does; 0 for one that has opened.
+    /// Share of the cohesive force of an edge that still acts; 0 for an open edge.
     double held(Index edge) const;
     bool empty() const { return all.empty(); }
     void visit_state(StateVisitor& visit) {
@@ -36,13 +37,13 @@ class OpeningEdges {
     struct Kept {
         Index edge;
         KeptForces kept;
-        double needed;     ///< J, that they shall take
-        double longest;    ///< s
-        double taken = 0;  ///< J, that they have taken
+        double needed;     ///< J, to be dissipated by the forces
+        double longest;    ///< s, age at which no force is left
+        double taken = 0;  ///< J, dissipated by them so far
         double age = 0;    ///< s
         double share = 1;
 
-        /// Takes out of both what is opposed in these forces and `others`, [3, V] N: their sum stays.
+        /// Removes the opposite parts of these forces and of `others`, [3, V] N; their sum stays.
         void cancel(Positions& others);
         void visit_state(StateVisitor& visit) {
             auto& [edge, kept, needed, longest, taken, age, share] = *this;

@@ -10,28 +10,30 @@
 
 namespace sherd {
 
-/// Edges that open in implicit steps. When an edge fails, the forces that held it together fade to nothing in
-/// the time of its opening, most often while the same step is solved again. In each solution they fall as the
-/// lips part, so that they take half of what they were and are, times the way: the crack closure integral
-/// (Irwin 1957; over the edges of a mesh Rybicki and Kanninen 1977), exact where forces are linear. An edge
-/// takes no more than its crack needs, and then nothing holds it any more; nor where it closes.
+/// Edges that open in implicit steps. When an edge fails, the forces that held it together fade to zero in
+/// the time of its opening, most often while the same step is solved again. In each solution they fall
+/// linearly as the crack faces separate, so that they dissipate the mean of their old and new size times the
+/// displacement: the crack closure integral (Irwin 1957; over the edges of a mesh Rybicki and Kanninen 1977),
+/// exact where forces are linear. Forces end when the edge has dissipated what its crack requires, and when
+/// it closes.
 class ReleasedEdges : public Energy {
   public:
-    /// An open step is forgotten, with the edges that failed in it: nothing holds them any more. x: [3, V] m.
+    /// Begins a step at x, [3, V] m. An open step is discarded with the edges that failed in it: no force is
+    /// left on them.
     void begin_step(const StepContext& step, const Positions& x);
-    /// The shell is about to change, at the last solution.
+    /// Must be called before the shell changes, at the last solution.
     void shell_changes();
-    /// It has changed, and is at x, [3, V] m.
+    /// Must be called when the shell has changed, and is at x, [3, V] m.
     void shell_changed(const Positions& x);
-    /// An edge has failed at x, [3, V] m. kept: [3, V] N, what held it together; gone: J, that went out of
-    /// what is stored at once.
+    /// Adds an edge that fails at x, [3, V] m. kept: [3, V] N, the forces that held it together; gone: J,
+    /// stored energy that was lost at once.
     void open(const Opening& edge, const Positions& kept, const Positions& x, double gone);
-    /// The step has been solved, once more.
+    /// Must be called after each solution of the step.
     void solved(const Positions& x);
     void finish();
 
-    double taken() const;           ///< J, in the open step
-    double held(Index edge) const;  ///< share of what held an edge together that still does
+    double taken() const;           ///< J, dissipated in the open step
+    double held(Index edge) const;  ///< share of the cohesive force that still acts
 
     void topology_changed(const ShellChange& /*change*/, const StepContext& /*step*/) override {}
     double value(const Positions& x) const override;
@@ -46,29 +48,29 @@ class ReleasedEdges : public Energy {
     struct Kept {
         Index edge;
         KeptForces kept;
-        Positions at;       ///< m, of its vertices, at the solution before
-        double needed;      ///< J, that they still shall take
-        double since;       ///< s, begin of the step in which it failed
-        double lasts;       ///< s
-        double before = 1;  ///< share of the forces at the solution before
-        double share = 1;   ///< of them now
-        double taken = 0;   ///< J, since the solution before
+        Positions at;       ///< m, positions of its vertices at the previous solution
+        double needed;      ///< J, still to be dissipated
+        double since;       ///< s, beginning of the step in which it failed
+        double lasts;       ///< s, time of the opening
+        double before = 1;  ///< share of the forces at the previous solution
+        double share = 1;   ///< share of the forces now
+        double taken = 0;   ///< J, dissipated since the previous solution
         bool closes = false;
 
-        /// To what is left at the end of a step, s.
+        /// Reduces the share to its value at `end`, the end of a step, s.
         void fade(double end);
         void visit_state(StateVisitor& visit) {
             auto& [edge, kept, at, needed, since, lasts, before, share, taken, closes] = *this;
             visit(edge, kept, at, needed, since, lasts, before, share, taken, closes);
         }
     };
-    /// The way from here on counts anew.
+    /// Books the dissipation since the previous solution; the next starts from the present one.
     void settle();
 
-    double start = 0, end = 0;        ///< s, of the open step; in statics all has faded at its end
+    double start = 0, end = 0;  ///< s, of the open step; in statics infinity, so that all forces have faded
     std::vector<Kept> all, finished;  ///< now, and at the end of the last finished step
-    bool is_solved = false;           ///< since the last change
-    double settled = 0;               ///< J, taken in the open step before the last change
+    bool is_solved = false;           ///< whether the step has been solved since the last change
+    double settled = 0;               ///< J, dissipated in the open step before the last change
 };
 
 }  // namespace sherd

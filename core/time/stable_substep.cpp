@@ -9,8 +9,8 @@
 namespace sherd {
 namespace {
 
-/// Share of the stable substep that is taken: the estimate of the frequency comes from below, and contact and
-/// large motions stiffen.
+/// Share of the stable substep that is taken: the frequency is estimated from below, and contact and large
+/// motions stiffen the sheet.
 constexpr double safety = 0.8;
 constexpr double most_substeps = 1e6;  // in a step
 
@@ -25,9 +25,9 @@ void require_stable(bool is_stable) {
 
 double stable_substep(double highest, const Damping& damping, double step) {
     const double damped = 0.5 * damping.stiffness * highest;
-    // This is sqrt(1 + d^2) - d, without its cancellation.
+    // Equals 2 / highest (sqrt(1 + d^2) - d), without its cancellation.
     const double of_forces = 2 / highest / (std::sqrt(1 + damped * damped) + damped);
-    // Damping by the medium takes the velocity of before: what it takes must not be more than there is.
+    // Damping by the medium takes the velocity before the substep, and must not remove more than that.
     const double stable = safety * std::min(of_forces, 2 / damping.mass);
     require_stable(!std::isnan(stable));
     if (step < most_substeps * stable) return stable;

@@ -12,12 +12,12 @@
 namespace sherd {
 namespace {
 
-/// Difference in rest positions over the length of a side of the tip: errors of differencing and of round-off
-/// are both far below those of the mesh.
+/// Step of the differences over the square root of the smallest face's area: errors of differencing and of
+/// round-off are both far below those of the mesh.
 constexpr double difference = 1e-5;
 
-/// What a face adds to S, by the folds of the shell in this order; nothing if it depends on other folds.
-/// number: of a term's fold in the shell. rigidity: CoupledBending::rigidity().
+/// Contribution of a face to S, by the folds of the shell in this order; nothing if it depends on other
+/// folds. number: of a term's fold in the shell. rigidity: CoupledBending::rigidity().
 template <class Number>
 std::optional<Eigen::MatrixXd> stiffness_of(std::span<const FaceCurvature::Term> terms, Number number,
                                             const Matrix3d& rigidity, const std::vector<Index>& folds) {
@@ -69,7 +69,7 @@ Positions advanced(const ShellPart& part, const TipShift& shift, int axis, doubl
 BendingShift::BendingShift(const Shell& shell, const VertexFaces& around, const CoupledBending& bending,
                            TipShift moving)
     : shell(shell), bending(bending), shift(std::move(moving)) {
-    // A face sees folds of its patches, and these the triangles across.
+    // The curvature of a face depends on the folds of its patches, and these on the triangles across.
     for (const Index face : faces_near(shell, around, shift.vertices, 3)) see(face);
     for (const Seen& face : seen) folds.insert(folds.end(), face.folds.begin(), face.folds.end());
     make_unique(folds);
@@ -116,7 +116,8 @@ void BendingShift::differentiate(int axis) {
         auto& [face, of_face, stiffening] = seen[i];
         const auto here = stiffness_of(bending.face_curvature().terms(face), std::identity(),
                                        bending.rigidity(face), of_face);
-        // Where a patch is about to grow by the next triangles, the side on which it stays as it is counts.
+        // Where the next triangles are about to join a patch, the difference is taken on the side where they
+        // do not.
         const auto &to = ahead[i] ? ahead[i] : here, &from = behind[i] ? behind[i] : here;
         stiffening[axis] = (*to - *from) / (ahead[i] && behind[i] ? 2 * length : length);
     }
@@ -140,7 +141,7 @@ Vector2d BendingShift::turned_folds(const Positions& x, const Matrix3d& turn, co
     const Folds& all = bending.all_folds();
     Vector2d sum = Vector2d::Zero();
     for (const Index fold : moved) {
-        // The image of a mirror moves along, so that at rest the angle stays zero.
+        // The mirror image moves along, so that at rest the angle stays zero.
         const bool mirrored = fold < all.folds_of_edges();
         const std::array<Index, 4> vertices = all.vertices(fold);
         const HingePositions now = mirrored ? all.slopes(x, std::span(&fold, 1))[fold].gradient

@@ -9,46 +9,47 @@
 
 namespace sherd {
 
-/// How the energy of coupled hinges, 1/2 dtheta^T S dtheta, depends on the rest positions of a crack's tip
+/// Dependence of the energy of coupled hinges, 1/2 dtheta^T S dtheta, on the rest positions of a crack's tip
 /// and its rings: through S, and through the angles at rest and now, since the vertices take their
-/// displacements along. S's derivative is computed once, by central differences over the faces that see one
-/// of the vertices, and the angles' in closed form; the sums are then quadratic in the changes of angles.
+/// displacements along. The derivative of S is computed once, by central differences over the faces whose
+/// curvature depends on these vertices, and the derivative of the angles in closed form; the sums are then
+/// quadratic in the changes of angles.
 class BendingShift {
   public:
-    /// Shell and bending must outlive this object, which must be made anew when they change near the tip.
+    /// Shell and bending must outlive this object, which must be replaced when they change near the tip.
     BendingShift(const Shell& shell, const VertexFaces& around, const CoupledBending& bending,
                  TipShift shift);
 
-    /// Minus the derivative of the energy, N, along the tip's direction and to its left. x: [3, V] m; turn:
-    /// from rest to x at the tip.
+    /// Configurational force: minus the derivative of the energy, N, along the tip's direction and to its
+    /// left. x: [3, V] m; turn: rotation from rest to x at the tip.
     Vector2d force(const Positions& x, const Matrix3d& turn) const;
 
-    std::size_t faces() const { return seen.size(); }  ///< number of those that see a vertex of these
+    std::size_t faces() const { return seen.size(); }  ///< number of faces that depend on moved vertices
 
   private:
-    /// A face that sees a vertex that moves.
+    /// A face whose curvature depends on a moved vertex.
     struct Seen {
         Index face;
-        std::vector<Index> folds;  ///< on which its curvature depends
-        /// Derivative of its share of S by the two directions, N, [folds, folds].
+        std::vector<Index> folds;  ///< folds on which its curvature depends
+        /// Derivative of its contribution to S by the two directions, N, [folds, folds].
         std::array<Eigen::MatrixXd, 2> stiffening;
     };
-    bool moves(Index fold) const;  ///< whether one of its vertices does
-    void see(Index face);          ///< if one of its folds moves
-    /// Each seen face's share of S once the tip has advanced by `length` m along an axis; nothing where it
-    /// then depends on other folds.
+    bool moves(Index fold) const;  ///< whether a vertex of the fold moves
+    void see(Index face);          ///< adds the face if one of its folds moves
+    /// Contribution of each seen face to S once the tip has advanced by `length` m along an axis; nothing
+    /// where the face then depends on other folds.
     std::vector<std::optional<Eigen::MatrixXd>> advanced_stiffness(ShellPart part, int axis,
                                                                    double length) const;
     void differentiate(int axis);
-    /// The derivatives of angles times moments: of those now less those at rest.
+    /// Sum of moments times derivatives of angles: of the present angles less those at rest, N.
     Vector2d turned_folds(const Positions& x, const Matrix3d& turn, const VectorXd& moments) const;
 
     const Shell& shell;
     const CoupledBending& bending;
     TipShift shift;
     std::vector<Seen> seen;
-    std::vector<Index> folds;  ///< of all faces that are seen
-    std::vector<Index> moved;  ///< of these, those with a vertex that moves
+    std::vector<Index> folds;  ///< folds of all seen faces
+    std::vector<Index> moved;  ///< folds with a vertex that moves
 };
 
 }  // namespace sherd

@@ -7,7 +7,7 @@
 namespace sherd {
 namespace {
 
-/// What the tip alone shows of the force, on meshes of all sizes: the fields near it are too stiff.
+/// Shares of the force that the tip alone shows, on meshes of all sizes: the elements near it are too stiff.
 constexpr double membrane_of_tip = 0.91, bending_of_tip = 0.96;
 
 }  // namespace
@@ -80,8 +80,9 @@ Vector2d TipForce::of_spread(const Positions& x, const Positions& forces, const 
     return sum;
 }
 
-// The work of a traction that is constant on the first side of a lip, and what it is on the vertices beyond:
-// a vertex's force does not tell it at the tip, where those on both lips cancel.
+// Work of a traction on the crack faces (lips), which is constant along the first side and follows the
+// vertices' forces beyond it. The force on the tip does not show the traction, since the two faces' parts
+// cancel.
 Vector2d TipForce::of_lips(const Positions& x, const Positions& forces, const Matrix3d& turn) const {
     Vector2d sum = Vector2d::Zero();
     for (const std::vector<Index>& lip : lips)

@@ -8,40 +8,41 @@
 
 namespace sherd {
 
-/// The configurational force on the tip of a crack and its rings: what energy is released for each metre by
-/// which it advances, N, along the tip's direction and to its left. It is minus the derivative of the elastic
-/// energy by the rest positions of these vertices (Eshelby, The force on an elastic singularity, 1951), which
-/// take their displacements along, measured in a frame that turns with the sheet at the tip.
+/// The configurational force on the tip of a crack and its rings: the energy released for each metre of
+/// advance, N, along the tip's direction and to its left. It is minus the derivative of the elastic energy by
+/// the rest positions of these vertices (Eshelby, The force on an elastic singularity, 1951), which take
+/// their displacements along, measured in a frame that turns with the sheet at the tip.
 struct ConfigurationalForce {
     Vector2d membrane = Vector2d::Zero();
     Vector2d bending = Vector2d::Zero();
-    /// What loads and inertia on the rings take of it.
+    /// Contribution of loads and inertia on the rings.
     Vector2d loads = Vector2d::Zero();
-    int rings = 0;  ///< that moved with the tip
+    int rings = 0;  ///< number of rings that moved with the tip
 
     Vector2d sum() const { return membrane + bending + loads; }
-    /// The sum; without rings the membrane's part is divided by 0.91 and the bending's by 0.96, which is what
-    /// the tip alone shows of them.
+    /// The sum; without rings the membrane's part is divided by 0.91 and the bending's by 0.96, the shares
+    /// that the tip alone shows.
     Vector2d corrected() const;
-    /// J/m, to be compared with toughness G_c times thickness: the length of the sum, which is right on paths
-    /// that zigzag, too. Along a straight one the first component is what going straight on releases.
+    /// Energy release, J/m, to be compared with fracture energy G_c times thickness: the length of the sum,
+    /// which is right on zigzag paths, too. On a straight path the first component is the release of straight
+    /// propagation.
     double released() const { return corrected().norm(); }
 };
 
 /// The elastic energies of the sheet.
 struct TipEnergies {
-    const CoupledBending* bending = nullptr;  ///< none: hinges, coupled or not, have no part in the force
+    const CoupledBending* bending = nullptr;  ///< null: hinges, coupled or not, have no part in the force
     MembraneModel membrane = MembraneModel::constant_strain;
 };
 
-/// What acts on the vertices but elasticity, N, [3, V]; with 0 columns there is nothing.
+/// Forces on the vertices other than elastic ones, N, [3, V]; with 0 columns there are none.
 struct TipLoads {
-    Positions spread = Positions(3, 0);  ///< over faces: pressure, weight, wind; less mass times acceleration
-    Positions on_lips = Positions(3, 0);  ///< on lips: contact between them, and what still holds them
+    Positions spread = Positions(3, 0);   ///< on faces: pressure, weight, wind; less mass times acceleration
+    Positions on_lips = Positions(3, 0);  ///< on crack faces: contact between them, and cohesive forces
 };
 
-/// Energy release rates at a tip. What depends on the rest shape alone is computed once: this must be made
-/// anew when the tip, its rings or hinges within four edges of them have changed.
+/// Energy release rates at a tip. Terms that depend on the rest shape alone are computed once: the object
+/// must be replaced when the tip, its rings or hinges within four edges of them have changed.
 class TipForce {
   public:
     /// Shell, around and bending must outlive this object. Throws std::invalid_argument for a membrane of
@@ -49,7 +50,7 @@ class TipForce {
     TipForce(const Shell& shell, const VertexFaces& around, const TipEnergies& energies, const CrackTip& tip,
              int most_rings = 2);
 
-    /// x: [3, V] m, a solution under these loads.
+    /// Force at x, [3, V] m, a solution under these loads.
     ConfigurationalForce at(const Positions& x, const TipLoads& loads = {}) const;
 
   private:
@@ -59,9 +60,9 @@ class TipForce {
 
     const Shell& shell;
     const VertexFaces& around;
-    std::array<std::vector<Index>, 2> lips;  ///< from the tip itself on
+    std::array<std::vector<Index>, 2> lips;  ///< vertices of both crack faces, from the tip itself on
     TipShift shift;
-    std::vector<Index> faces;  ///< with a vertex that moves
+    std::vector<Index> faces;  ///< faces with a vertex that moves
     int rings;
     std::optional<BendingShift> bending;
 };

@@ -8,7 +8,7 @@
 namespace sherd {
 namespace {
 
-/// The component across the ray at `angle`.
+/// Stress component across the ray at `angle`, rad.
 double hoop(const Vector3d& stress, double angle) {
     const double c = std::cos(angle), s = std::sin(angle);
     return stress[0] * s * s + stress[1] * c * c - 2 * stress[2] * s * c;
@@ -23,7 +23,7 @@ class HoopStress {
     double operator()(double angle) const {
         const Vector2d at(std::cos(angle), std::sin(angle));
         const auto [young, nu] = material;
-        // Of any thickness: half of it times the curvature is the strain at the surface.
+        // The thickness cancels: with thickness 1, the strain at the surface is half of the curvature.
         const Vector3d bent = 0.5 * plate_field(material, 1, plate, at).curvature;
         const Vector3d stress =
             young / (1 - nu * nu) *
@@ -37,7 +37,8 @@ class HoopStress {
     ModePair membrane, plate;
 };
 
-/// The largest value between two angles of a function that has one maximum there, by golden sections.
+/// Angle of the largest value between two angles of a function that has one maximum there, by golden
+/// sections.
 template <class F>
 double angle_of_largest(const F& value, double low, double high) {
     constexpr double golden = std::numbers::phi - 1;

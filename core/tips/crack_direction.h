@@ -5,22 +5,24 @@
 
 namespace sherd {
 
-// Where a crack goes on: at right angles to the largest hoop stress around its tip (Erdogan and Sih, On the
-// crack extension in plates under plane loading and transverse shear, 1963). Angles are in rad from the
-// crack's own direction, counterclockwise as seen against the normal.
+// Direction in which a crack propagates: at right angles to the largest hoop stress around its tip (Erdogan
+// and Sih, On the crack extension in plates under plane loading and transverse shear, 1963). Angles are in
+// rad from the crack's own direction, counterclockwise as seen against the normal.
 
-/// Of the membrane alone: 2 atan((K_I - sqrt(K_I^2 + 8 K_II^2)) / (4 K_II)), between -180 and 180 degrees; 0
-/// without K_II while the crack is pulled open. Up to 70.5 degrees either way while K_I is not negative.
+/// Angle for the membrane alone: 2 atan((K_I - sqrt(K_I^2 + 8 K_II^2)) / (4 K_II)), between -180 and 180
+/// degrees; 0 without K_II while the crack is pulled open. Up to 70.5 degrees either way while K_I is not
+/// negative.
 double hoop_angle(const ModePair& membrane);
 
 /// The direction of the largest hoop stress at either surface.
 struct HoopDirection {
     double angle = 0;      ///< rad
-    double intensity = 0;  ///< Pa m^0.5: that stress times sqrt(2 pi r)
-    bool top = false;      ///< at the surface to which the normal points (FaceState)
+    double intensity = 0;  ///< Pa m^0.5: hoop stress times sqrt(2 pi r)
+    bool top = false;      ///< whether at the surface to which the normal points (FaceState)
 };
 
-/// Of membrane and bending together, which a search finds. Of two that are equal, that at the bottom.
+/// Finds the direction for membrane and bending together by a search. Of two equal maxima it takes the one at
+/// the bottom.
 HoopDirection hoop_direction(const PlaneStress& material, const ModePair& membrane, const ModePair& plate);
 
 }  // namespace sherd

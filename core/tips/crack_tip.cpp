@@ -12,7 +12,7 @@
 namespace sherd {
 namespace {
 
-/// Area at rest times the unit normal, m^2.
+/// Area times the unit normal, m^2.
 Vector3d area_normal(const TrianglePositions& x) {
     return 0.5 * Vector3d(x.col(1) - x.col(0)).cross(Vector3d(x.col(2) - x.col(0)));
 }
@@ -32,7 +32,7 @@ std::vector<Index> boundary_neighbours(const Shell& shell, const VertexFaces& ar
     return once;
 }
 
-/// Rings 0 to `most` at the longest; the last one is nearer than any foreign vertex but the tip itself.
+/// Rings 0 to `most` at most, all nearer to the tip than any foreign vertex but the tip itself.
 std::vector<std::vector<Index>> rings_around(const Shell& shell, const VertexFaces& around, Index vertex,
                                              std::span<const char> foreign, int most) {
     std::vector<std::vector<Index>> rings{{vertex}};

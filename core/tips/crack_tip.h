@@ -8,7 +8,7 @@
 
 namespace sherd {
 
-/// The faces around each vertex of a shell, as they were when this was made.
+/// The faces around each vertex of a shell, as they were at construction.
 class VertexFaces {
   public:
     explicit VertexFaces(const Shell& shell);
@@ -23,15 +23,16 @@ class VertexFaces {
     std::vector<Index> faces;
 };
 
-/// The tip of a crack in the rest shape, and the vertices around it. All of it is of the rest shape.
+/// The tip of a crack and the vertices around it, all in the rest shape.
 struct CrackTip {
     Index vertex = 0;
-    Vector3d direction = Vector3d::UnitX();  ///< unit vector in the tangent plane, in which the crack came
+    Vector3d direction = Vector3d::UnitX();  ///< unit vector in the tangent plane, away from the crack
     Vector3d normal = Vector3d::UnitZ();     ///< unit normal of the tangent plane
-    /// The vertices 0, 1, 2, ... edges away from the tip, also on both lips: all that are nearer to the tip
-    /// than what the rings must not reach, ring 0 in any case.
+    /// The vertices 0, 1, 2, ... edges away from the tip, also on both crack faces (lips): all that are
+    /// nearer to the tip than any foreign vertex, and ring 0 in any case.
     std::vector<std::vector<Index>> rings;
-    /// The vertices along either lip, from the nearest on: as many as rings, and one more, if there are.
+    /// The vertices along either crack face, from the nearest on: one more than there are rings, if the face
+    /// is as long.
     std::array<std::vector<Index>, 2> lips;
 
     /// Axes of the tangent plane, one a column: along the direction, and to its left as seen against the
@@ -39,7 +40,7 @@ struct CrackTip {
     Eigen::Matrix<double, 3, 2> axes() const;
 };
 
-/// The tip at a vertex on which exactly two boundary sides end, which are the lips: the direction is away
+/// The tip at a vertex on which exactly two boundary sides end, one of each crack face: the direction is away
 /// from them. foreign: [V] 1 where a vertex is the tip of another crack or lies on the outer boundary; with
 /// the nearest of them d edges away there are rings 0 to min(most, d - 1). Throws std::invalid_argument if
 /// the vertex has other than two boundary sides.
@@ -52,11 +53,11 @@ Vector3d rest_normal(const Shell& shell, const VertexFaces& around, Index vertex
 /// The rotation by the smallest angle that takes one unit vector to another; they must not be opposite.
 Matrix3d smallest_turn(const Vector3d& from, const Vector3d& to);
 
-/// The rotation that takes the rest shape at a vertex nearest to what it is at x [3, V] m: that of the mean
-/// of its faces' deformation gradients, by area.
+/// The rotation of the rest shape at a vertex to x [3, V] m: the polar factor of the mean of its faces'
+/// deformation gradients, by area.
 Matrix3d rotation_at(const Shell& shell, const VertexFaces& around, Index vertex, const Positions& x);
 
-/// Sorts numbers, and leaves each of them once.
+/// Sorts numbers, and removes duplicates.
 void make_unique(std::vector<Index>& numbers);
 
 /// The faces with a corner in any of the rings up to number `last`, by ascending number.

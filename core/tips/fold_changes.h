@@ -8,7 +8,7 @@
 
 namespace sherd {
 
-/// CoupledBending::changes() of some folds, rad; those of others have no meaning.
+/// CoupledBending::changes() of some folds, rad; the entries of other folds are undefined.
 inline VectorXd changes_of(const CoupledBending& bending, const Positions& x, std::span<const Index> folds) {
     VectorXd changes = bending.all_folds().angles(x, folds);
     for (const Index fold : folds)

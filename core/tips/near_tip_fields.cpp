@@ -13,7 +13,7 @@ constexpr double pi = std::numbers::pi;
 
 }  // namespace
 
-// In Muskhelishvili's functions, with the same Phi above and below the crack's line:
+// Muskhelishvili's functions, with the same Phi above and below the crack's line:
 //     s11 + s22 = 4 Re Phi(z),    s22 - i s12 = Phi(z) + Phi(z*) + (z - z*) Phi'(z)*
 //     2 mu d(u + iv)/dx = kappa Phi(z) - Phi(z*) - (z - z*) Phi'(z)*
 MembraneField membrane_field(const PlaneStress& material, const ModePair& factors, const Vector2d& at) {
@@ -32,7 +32,7 @@ MembraneField membrane_field(const PlaneStress& material, const ModePair& factor
     return field;
 }
 
-// The deflection is Re((z* - z) phi + int phi + int omega), in which a free edge along the crack asks for
+// The deflection is Re((z* - z) phi + int phi + int omega), in which a free edge along the crack requires
 //     phi = -c / kappa z^0.5,    omega = c* z^0.5,    kappa = (3 + nu) / (1 - nu).
 PlateField plate_field(const PlaneStress& material, double thickness, const ModePair& factors,
                        const Vector2d& at) {

@@ -5,9 +5,9 @@
 
 namespace sherd {
 
-// What an isotropic sheet does near the tip of a straight crack that lies on the negative first axis, in its
-// plane. Angles are counted from the first axis to the second; positive factors of the second mode shear what
-// lies on the side of the second axis forward, and turn the crack clockwise.
+// Fields of an isotropic sheet near the tip of a straight crack that lies on the negative first axis, in the
+// plane of the sheet. Angles are counted from the first axis to the second; positive factors of the second
+// mode shear the side of the second axis forward, and turn the crack clockwise.
 
 /// Young's modulus, Pa, and Poisson's ratio.
 struct PlaneStress {
@@ -26,8 +26,9 @@ struct MembraneField {
     Vector2d along_gradient;  ///< derivative of the displacement along the first axis
 };
 
-/// Williams, On the stress distribution at the base of a stationary crack, 1957. factors: K_I and K_II,
-/// Pa m^0.5: the stresses 11 and 01 ahead of the crack are K / sqrt(2 pi r). at: m, not zero.
+/// Near-tip field of the membrane (Williams, On the stress distribution at the base of a stationary crack,
+/// 1957). factors: K_I and K_II, Pa m^0.5: the stresses 11 and 01 ahead of the crack are K / sqrt(2 pi r).
+/// at: m, not zero.
 MembraneField membrane_field(const PlaneStress& material, const ModePair& factors, const Vector2d& at);
 
 /// The plate without shear (Kirchhoff).
@@ -36,16 +37,17 @@ struct PlateField {
     double along_slope;  ///< derivative of the deflection along the first axis
 };
 
-/// Williams, The bending stress distribution at the base of a stationary crack, 1961; factors as in Hui and
-/// Zehnder, A theory for the fracture of thin plates subjected to bending and twisting moments, 1993: k_1 and
-/// k_2, Pa m^0.5: the bending stress 11 ahead of the crack is k_1 / sqrt(2 r) at the surface that a positive
-/// curvature stretches. thickness: m. at: m, not zero.
+/// Near-tip field of the plate (Williams, The bending stress distribution at the base of a stationary crack,
+/// 1961; factors as in Hui and Zehnder, A theory for the fracture of thin plates subjected to bending and
+/// twisting moments, 1993). factors: k_1 and k_2, Pa m^0.5: at the surface that a positive curvature
+/// stretches, the bending stress 11 ahead of the crack is k_1 / sqrt(2 r). thickness: m. at: m, not zero.
 PlateField plate_field(const PlaneStress& material, double thickness, const ModePair& factors,
                        const Vector2d& at);
 
-/// Energy, J, that a crack releases for each m^2 by which it grows straight on, in the membrane.
+/// Release rate of the membrane in straight propagation, J/m^2.
 double membrane_release(const PlaneStress& material, const ModePair& factors);
-/// The same in bending: pi (1 + nu) / (3 Y (3 + nu)) (k_1^2 + k_2^2) (Hui and Zehnder).
+/// Release rate of bending in straight propagation, J/m^2: pi (1 + nu) / (3 Y (3 + nu)) (k_1^2 + k_2^2) (Hui
+/// and Zehnder).
 double plate_release(const PlaneStress& material, const ModePair& factors);
 
 }  // namespace sherd

@@ -40,7 +40,7 @@ void add_fold(const Shell& shell, const CoupledBending& bending, Index fold, She
     const Index of_edges = bending.all_folds().folds_of_edges();
     if (fold < of_edges) {
         auto [face, corner] = bending.all_folds().mirror_side(fold);
-        // Of its plane nothing is asked but that the side lies in it.
+        // The only condition on the plane is that it contains the side.
         part.mirrors.push_back(clamp_hinge(part.shell, {number_in(part.faces, face), corner}, 0));
         return;
     }
@@ -68,7 +68,7 @@ ShellPart shell_part(const Shell& shell, const CoupledBending& bending, std::spa
 void move_rest(ShellPart& part, const Positions& rest) {
     for (auto& [vertices, membrane] : part.shell.triangles) {
         const TrianglePositions before = columns(part.shell.rest, vertices), after = columns(rest, vertices);
-        // The side on which the frame's first axis lies turns by this against the material.
+        // Angle by which the side on the frame's first axis turns against the material.
         const Eigen::Matrix<double, 3, 2> axes = frame_axes(before);
         const Vector3d side = after.col(1) - after.col(0);
         const double turn = std::atan2(axes.col(1).dot(side), axes.col(0).dot(side));

@@ -23,8 +23,8 @@ struct FaceAtTip {
     double area;                              ///< m^2
     Eigen::Matrix2d frame;                    ///< axes of the face's rest frame, one a column
     Eigen::Matrix<double, 2, 3> corners;      ///< m
-    Eigen::Matrix<double, 2, 3> derivatives;  ///< of the shape functions, 1/m
-    Matrix3d unfolded;                        ///< turns the rest shape's face into the plane
+    Eigen::Matrix<double, 2, 3> derivatives;  ///< derivatives of the shape functions, 1/m
+    Matrix3d unfolded;                        ///< rotation of the face at rest into the plane
     Vector2d point(int i) const {
         return corners * Vector3d(points_inside[i][0], points_inside[i][1], points_inside[i][2]);
     }
@@ -56,12 +56,13 @@ Eigen::Matrix2d full(const Vector3d& tensor) {
     return matrix;
 }
 
-/// (00, 11, 2 * 01) as a matrix.
+/// Symmetric tensor of a strain (00, 11, 2 * 01).
 Eigen::Matrix2d full_strain(const Vector3d& strain) {
     return full({strain[0], strain[1], strain[2] / 2});
 }
 
-/// The field that is 1 at the tip's first rings and falls to 0, linearly in faces: its gradient.
+/// Gradient, 1/m, of the field that is 1 on the tip's rings 0 to `last` and falls to 0 linearly in the faces
+/// beyond.
 Vector2d ring_gradient(const FaceAtTip& at, const std::array<Index, 3>& vertices, const CrackTip& tip,
                        int last) {
     Vector2d sum = Vector2d::Zero();
@@ -72,7 +73,8 @@ Vector2d ring_gradient(const FaceAtTip& at, const std::array<Index, 3>& vertices
     return sum;
 }
 
-/// A smooth field about the tip with its derivatives: 1 up to a third of `reach` (m), 0 beyond it.
+/// Gradient and second derivatives of a smooth field about the tip: 1 up to a third of `reach` (m), 0 beyond
+/// `reach`.
 struct SmoothField {
     Vector2d slope;
     Eigen::Matrix2d bend;
@@ -89,8 +91,7 @@ SmoothField smooth_field(const Vector2d& at, double reach) {
     return {first * out, second * radial + first / r * (Eigen::Matrix2d::Identity() - radial)};
 }
 
-/// How far faces reach around the tip that have no corner beyond its last ring but the next: the nearest
-/// vertex outside of the rings.
+/// Radius of the smooth field, m: the distance of the nearest vertex outside of the rings.
 double reach_of(const Shell& shell, const CrackTip& tip, const std::vector<Index>& faces) {
     double reach = std::numeric_limits<double>::infinity();
     for (const Index face : faces)
@@ -102,14 +103,15 @@ double reach_of(const Shell& shell, const CrackTip& tip, const std::vector<Index
     return reach;
 }
 
-/// A face with what the membrane has there, in the tip's axes.
+/// A face with its membrane fields, in the tip's axes.
 struct StretchedFace {
     FaceAtTip place;
     Eigen::Matrix2d stress;   ///< Pa
     Vector2d along_gradient;  ///< derivative of the displacement along the crack
 };
 
-/// turn: from rest to x at the tip; what the rest shape turns by from the tip to the face is no displacement.
+/// turn: rotation from rest to x at the tip. The rotation of the rest shape between tip and face is no
+/// displacement.
 StretchedFace stretched_face(const Shell& shell, const CrackTip& tip, Index face, const Positions& x,
                              const Matrix3d& turn) {
     const auto& [vertices, membrane] = shell.triangles[face];
@@ -124,7 +126,7 @@ StretchedFace stretched_face(const Shell& shell, const CrackTip& tip, Index face
     return at;
 }
 
-/// What the face's fields and those of a mode release together, Pa/m. slope: of the field of advance.
+/// Interaction of the face's fields with those of a mode, Pa/m. slope: gradient of the field of advance, 1/m.
 double interaction(const StretchedFace& at, const MembraneField& mode, const Vector2d& slope) {
     const Vector2d carried = at.stress * mode.along_gradient + full(mode.stress) * at.along_gradient;
     return carried.dot(slope) - at.stress.cwiseProduct(full_strain(mode.strain)).sum() * slope.x();
@@ -134,12 +136,12 @@ double interaction(const StretchedFace& at, const MembraneField& mode, const Vec
 struct BentFace {
     FaceAtTip place;
     Matrix3d rigidity;          ///< N m, in the face's frame
-    Eigen::Matrix2d curvature;  ///< its change, 1/m
+    Eigen::Matrix2d curvature;  ///< change of curvature, 1/m
     Eigen::Matrix2d moment;     ///< N
     double along_slope;         ///< derivative of the deflection along the crack
 };
 
-/// changes: of all folds' angles, rad.
+/// changes: changes of all folds' angles, rad.
 BentFace bent_face(const Shell& shell, const CoupledBending& bending, const CrackTip& tip, Index face,
                    const Positions& x, const Matrix3d& turn, const VectorXd& changes) {
     BentFace at{face_at_tip(shell, tip, face), {}, {}, {}, 0};
@@ -163,7 +165,7 @@ std::vector<Index> folds_of(const CoupledBending& bending, const std::vector<Ind
     return folds;
 }
 
-/// What the face's bending and that of a mode release together, Pa.
+/// Interaction of the face's bending with that of a mode, Pa.
 double interaction(const BentFace& at, const PlateField& mode, const SmoothField& field) {
     const Eigen::Matrix2d curvature = full_strain(mode.curvature),
                           moment = full(at.rigidity * mode.curvature);  // an isotropic sheet has no axes

@@ -5,21 +5,21 @@
 
 namespace sherd {
 
-/// What moves in the rest shape when a crack is thought to advance: the tip and its first rings, each vertex
-/// in its own tangent plane, the same way. The field is 1 there, 0 outside, and linear in the faces between.
+/// Virtual advance of a crack in the rest shape: the tip and its first rings move, each vertex in its own
+/// tangent plane, the same way. The field of advance is 1 there, 0 outside, and linear in the faces between.
 struct TipShift {
     Index tip;
     std::vector<Index> vertices;  ///< by ascending number
-    /// [vertices] what a vertex moves for each metre of advance: a column for the tip's direction, and one to
-    /// its left.
+    /// [vertices] displacement for each metre of advance: a column for the tip's direction, and one to its
+    /// left.
     std::vector<Eigen::Matrix<double, 3, 2>> by;
 
     /// The number of a vertex in the list, -1 if it stays.
     Index find(Index vertex) const;
 };
 
-/// rings: as many besides the tip move, at most those that it has. The tip's axes are turned into the tangent
-/// plane of each vertex by the smallest rotation.
+/// Virtual advance of the tip with its first `rings` rings, at most those that it has. The tip's axes are
+/// turned into the tangent plane of each vertex by the smallest rotation.
 TipShift tip_shift(const Shell& shell, const VertexFaces& around, const CrackTip& tip, int rings);
 
 }  // namespace sherd

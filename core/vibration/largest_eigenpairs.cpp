@@ -13,13 +13,13 @@ namespace {
 
 using Eigen::MatrixXd;
 
-constexpr double tolerance = 1e-11;  // of a residual, over the eigenvalue
+constexpr double tolerance = 1e-11;  // largest residual over the eigenvalue
 constexpr Eigen::Index max_restarts = 2000;
 constexpr Eigen::Index least_basis = 20;   // vectors of a Krylov basis, if the space has so many
-constexpr double distinct = 1 + 1e-9;      // ratio of eigenvalues that are not taken for the same one
-constexpr Eigen::Index count_of_more = 4;  // eigenvalues that are looked for to see whether one was missed
+constexpr double distinct = 1 + 1e-9;      // ratio from which on eigenvalues count as distinct
+constexpr Eigen::Index count_of_more = 4;  // eigenvalues that are computed to see whether one was missed
 
-/// The map within the subspace orthogonal to some columns, as Spectra asks for it.
+/// The map within the subspace orthogonal to some columns, with the interface that Spectra requires.
 struct DeflatedMap {
     using Scalar = double;
 
@@ -71,8 +71,8 @@ Eigenpairs largest_eigenpairs(const std::function<VectorXd(const VectorXd&)>& ma
     MatrixXd known = without;
     Eigenpairs found{VectorXd(0), MatrixXd(size, 0)};
     Eigen::Index wanted = count;
-    // One start vector has, of each multiple eigenvalue, a single eigenvector in its Krylov space. What is
-    // left besides those found so far is therefore looked at until it holds nothing larger.
+    // The Krylov space of a start vector has only one eigenvector of each multiple eigenvalue. The complement
+    // of those found is therefore searched until it has no larger one.
     for (;;) {
         wanted = std::min(wanted, rank + without.cols() - known.cols());
         if (wanted == 0) return found;

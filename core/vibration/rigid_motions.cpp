@@ -66,8 +66,8 @@ RigidColumns rows_of(const Columns& all, std::span<const Index> piece) {
     return some;
 }
 
-/// What of each column of motions, times sqrt(m), is blocked, and what of the rest the stiffness resists,
-/// over what it resists at most.
+/// For each column of motions, times sqrt(m): its blocked part, and the force of the stiffness against the
+/// rest, over the largest such force.
 std::array<RigidColumns, 2> resisted(const Shell& shell, const BlockMatrix& stiffness, double fastest,
                                      const RigidColumns& motions) {
     std::array<RigidColumns, 2> result{motions, motions};
@@ -85,7 +85,8 @@ std::array<RigidColumns, 2> resisted(const Shell& shell, const BlockMatrix& stif
     return result;
 }
 
-/// Round-off of a stiffness: strain at rest is as exact as positions are beside the edges.
+/// Round-off of a stiffness over the largest one: strain at rest is as exact as positions are compared with
+/// the edges.
 double round_off(const Shell& shell, const Positions& x) {
     double edges = 0;
     for (const TriangleStencil& triangle : shell.triangles)
@@ -105,7 +106,7 @@ VectorXd product(const BlockMatrix& matrix, const VectorXd& x) {
 MatrixXd free_rigid_motions(const Shell& shell, const Positions& x, const BlockMatrix& stiffness,
                             double fastest) {
     const std::vector<std::vector<Index>> pieces = pieces_of(shell);
-    // The stiffness couples no two pieces, so that one product tells of all of them.
+    // The stiffness couples no two pieces, so that one product serves all of them.
     RigidColumns motions = RigidColumns::Zero(3 * shell.mass.size(), 6);
     for (const std::vector<Index>& piece : pieces) {
         const RigidColumns own = rigid_columns(shell, x, piece);

@@ -14,9 +14,9 @@
 namespace sherd {
 namespace {
 
-constexpr double growth_of_shift = 10;  // when the matrix is not positive definite
+constexpr double growth_of_shift = 10;  // factor of the shift if the matrix is not positive definite
 
-/// What vibrates: the elastic energies with their own second derivative, and the loads at their full size.
+/// Options for vibration: elastic energies with their exact second derivative, and loads at their full size.
 ShellEnergyOptions vibrating(ShellEnergyOptions options) {
     options.bending.jacobian = exact_jacobian(options.bending.model);
     for (Load& load : options.loads) load.ramp = 0;
@@ -117,7 +117,7 @@ class ShiftedStiffness {
     std::unique_ptr<LinearSolver> solver = cholesky_solver();
 };
 
-/// The displacement of unit mass that is sqrt(M) u = y.
+/// The displacement u of unit mass with sqrt(M) u = y.
 Positions shape_of(const Shell& shell, const VectorXd& y) {
     Positions shape = y.reshaped(3, shell.mass.size()) * shell.mass.cwiseSqrt().cwiseInverse().asDiagonal();
     constrain(shell, shape);

@@ -9,7 +9,7 @@ namespace sherd {
 
 /// A free vibration u(t) = shape sin(omega t) of small amplitude, without damping.
 struct VibrationMode {
-    double eigenvalue = 0;  ///< omega^2, 1/s^2; below zero: no vibration, the shape grows as exp(sqrt(-it) t)
+    double eigenvalue = 0;  ///< omega^2, 1/s^2; below zero: growth as exp(sqrt(-eigenvalue) t)
     Positions shape;        ///< [3, V] 1/sqrt(kg): sum of m |u|^2 is 1, the largest coordinate positive
 
     bool unstable() const { return eigenvalue < 0; }

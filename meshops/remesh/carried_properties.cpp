@@ -66,7 +66,7 @@ void carry_vertex_colour(const InputSurface& surface, const std::vector<Face>& b
     }
 }
 
-/// Whether there is something that faces carry.
+/// Whether the mesh has properties of faces.
 bool has_face_values(const Mesh& mesh) {
     return find_property<Face, FaceTexture>(mesh, property::texture).second ||
            find_property<Face, GroupNames>(mesh, property::groups).second ||
@@ -75,7 +75,7 @@ bool has_face_values(const Mesh& mesh) {
            find_property<Face, Colour>(mesh, property::face_colour).second;
 }
 
-/// side: [F] the face of the surface below each face, which has its value.
+/// Copies a property of faces. side: [F] the face of the surface whose value each face gets.
 template <class Value>
 void carry_values(const InputSurface& surface, const std::vector<Face>& side, const char* name, Mesh& mesh) {
     const auto [values, exists] = find_property<Face, Value>(surface.mesh, name);

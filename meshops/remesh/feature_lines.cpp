@@ -25,8 +25,8 @@ double angle_between(const Vector3d& a, const Vector3d& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / std::numbers::pi;
 }
 
-/// Whether an inner edge bends by more than `degrees`, and what is around it by more than half of that: the
-/// edges of a rough surface bend, but the surface does not.
+/// Whether the dihedral angle of an interior edge exceeds `degrees`, and that between the mean normals on
+/// both sides half of it: edges of a rough surface bend, but the surface does not.
 bool is_sharp(const Mesh& mesh, Edge edge, double degrees, double reach) {
     const Halfedge h = mesh.halfedge(edge);
     const Vector3d left = triangle_normal(face_points(mesh, mesh.face(h)));
@@ -44,7 +44,8 @@ bool is_sharp(const Mesh& mesh, Edge edge, double degrees, double reach) {
     return angle_between(sides[0], sides[1]) > degrees / 2;
 }
 
-/// What is sharp only over a short way is noise, or too small to be kept as an edge.
+/// Removes the marks of sharp edges that are connected over less than `shortest` (m): noise, or too small to
+/// be kept as an edge.
 void drop_short(const Mesh& mesh, const EdgeMarks& sharp, EdgeMarks& marks, double shortest) {
     DisjointSets joined(mesh.number_of_vertices());
     for (const Edge edge : mesh.edges())
@@ -72,7 +73,7 @@ EdgeMarks marked_edges(const Mesh& mesh, double degrees, double shortest, const 
     return marks;
 }
 
-/// The lines of marked edges.
+/// Traces the lines of marked edges.
 class LineTracing {
   public:
     LineTracing(const Mesh& mesh, const EdgeMarks& marks, double degrees, double reach,
@@ -94,7 +95,7 @@ class LineTracing {
             if (found.is_corner[v])
                 for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
                     if (is_new(h)) add_line(chain(mesh.opposite(h)));
-        // What is left has no corner: closed lines, which begin and end at any of their vertices.
+        // Remaining lines have no corner: they are closed, and begin and end at any of their vertices.
         for (const Edge edge : mesh.edges()) {
             const Halfedge h = mesh.halfedge(edge);
             if (!is_new(h)) continue;
@@ -119,7 +120,8 @@ class LineTracing {
         return leaving;
     }
 
-    /// The first vertex of a line that begins with h which is as far away as `reach`, or its end.
+    /// First vertex, on the line that begins with h, at a distance of `reach` (m) or more; or the end of the
+    /// line.
     Vertex ahead(Halfedge h, double reach) const {
         const Vertex begin = mesh.source(h);
         while ((position(mesh, mesh.target(h)) - position(mesh, begin)).norm() < reach) {
@@ -156,7 +158,7 @@ class LineTracing {
         return all;
     }
 
-    /// Of a closed line the halfedge that leaves the first of its points in the order of coordinates.
+    /// Halfedge of a closed line that leaves the first of the line's points in the order of coordinates.
     Halfedge first_of(const std::vector<Halfedge>& closed) const {
         return *std::ranges::min_element(closed, {}, [&](Halfedge h) { return mesh.point(mesh.source(h)); });
     }
@@ -167,7 +169,8 @@ class LineTracing {
         return vertices;
     }
 
-    /// Shared lines begin at the end whose points come first, so that they are the same line on all sheets.
+    /// Lets a shared line begin at the end whose points come first, so that it is the same line on all
+    /// sheets.
     void orient(std::vector<Halfedge>& halfedges) const {
         const std::vector<Vertex> there = vertices_of(halfedges), back(there.rbegin(), there.rend());
         const auto before = [&](Vertex a, Vertex b) { return mesh.point(a) < mesh.point(b); };

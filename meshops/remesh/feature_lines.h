@@ -12,39 +12,39 @@ namespace sherd {
 /// A chain of edges that remeshing keeps, from corner to corner.
 struct FeatureLine {
     std::vector<Eigen::Vector3d> points;
-    std::vector<double> along;             ///< m from its begin, of each point, rising
-    std::vector<Vertex> vertices;          ///< at these points
+    std::vector<double> along;             ///< m along the line to each point, ascending
+    std::vector<Vertex> vertices;          ///< vertices at the points
     bool is_shared = false;                ///< whether lines of other sheets have the same points
-    Eigen::Vector3d at(double way) const;  ///< the point that is so far along, m
+    Eigen::Vector3d at(double way) const;  ///< point at the distance `way` (m) along the line
     double length() const { return along.back(); }
 };
 
-/// The part of a line that an edge is. Others are part of none.
+/// Stretch of a line that an edge covers; `none` for edges of no line.
 struct LineStretch {
     static constexpr std::int32_t none = -1;
     std::int32_t line = none;
-    Vertex begin, end;                ///< of the edge, in any order
+    Vertex begin, end;                ///< ends of the edge, in any order
     double at_begin = 0, at_end = 0;  ///< m along the line
 };
 
-/// The lines of a mesh: borders, edges where groups or texture coordinates change, sharp ones, those along
-/// which it lies on itself without being joined, and those of faces whose shape is kept.
+/// Lines of a mesh: boundary edges, edges where groups, materials or texture coordinates change, sharp edges,
+/// edges along which the mesh lies on itself without being joined, and edges of faces whose shape is kept.
 struct FeatureLines {
     std::vector<FeatureLine> lines;
     std::vector<LineStretch> of_edge;           ///< [E]
     std::vector<char> is_corner;                ///< [V] where lines end, branch or turn
-    std::vector<std::vector<Vertex>> together;  ///< vertices of shared lines that are at one place
+    std::vector<std::vector<Vertex>> together;  ///< coincident vertices of shared lines
 };
 
-/// The faces that are connected to some by faces whose middles are less than `reach` (m) from a place, with
-/// these first; some 64 at most.
+/// Returns the faces `near`, and those that are connected to them by faces with middles less than `reach` (m)
+/// from `place`; about 64 at most.
 std::vector<Face> faces_near(const Mesh& mesh, std::vector<Face> near, const Eigen::Vector3d& place,
                              double reach);
 
-/// The lines of a mesh without gaps in its numbers. Edges are sharp whose faces bend by more than `degrees`;
-/// a line turns where it does so by more than that, seen from a third of `edge_length` (m), too, so that a
-/// seam may zigzag. Sharp edges that are connected over less than `edge_length`, as in noise, are none. kept:
-/// [F] whether the shape of a face is kept.
+/// Finds the lines of a mesh that has no gaps in its numbers. Edges are sharp if their dihedral angle exceeds
+/// `degrees`. A line has a corner where it turns by more than `degrees`, also if measured over a third of
+/// `edge_length` (m), so that zigzags of a seam are no corners. Sharp edges that are connected over less than
+/// `edge_length`, as in noise, are not kept as lines. kept: [F] whether the shape of a face is kept.
 FeatureLines feature_lines(const Mesh& mesh, double degrees, double edge_length,
                            const std::vector<char>& kept);
 

@@ -18,7 +18,7 @@ InputSurface::InputSurface(const Mesh& mesh, FeatureLines lines, double smoothin
 }
 
 void InputSurface::average_normals(double smoothing) {
-    std::vector<Vector3d> area(mesh.number_of_faces());  // times the normal
+    std::vector<Vector3d> area(mesh.number_of_faces());  // m^2, normals times twice the area
     double edge = 0;
     for (const Edge e : mesh.edges())
         edge += (position(mesh, mesh.vertex(e, 0)) - position(mesh, mesh.vertex(e, 1))).norm();

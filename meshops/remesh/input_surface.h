@@ -9,18 +9,18 @@
 
 namespace sherd {
 
-/// The surface that is remeshed, to be asked for the nearest of its points on the same sheet, which no
-/// second wall beside it can be mistaken for.
+/// Surface that is remeshed. Its point nearest to another point is searched over connected faces, so that a
+/// second wall beside a sheet is not mistaken for the sheet.
 class InputSurface {
   public:
-    /// mesh: without gaps in its numbers; it has to outlive this. smoothing: m, over which normals are
-    /// averaged, but not across lines.
+    /// mesh: without gaps in its numbers; it has to outlive this. smoothing: m, distance over which normals
+    /// are averaged, but not across lines.
     InputSurface(const Mesh& mesh, FeatureLines lines, double smoothing);
 
     /// A point of the surface.
     struct Site {
         Face face;
-        Eigen::Vector3d weights;  ///< of its corners, as face_corners() has them
+        Eigen::Vector3d weights;  ///< barycentric, in the order of face_corners()
         Eigen::Vector3d place;    ///< m
     };
     /// The point nearest to `point` (m) among the faces that are reached from `begin` on the way there.

@@ -23,9 +23,9 @@
 namespace sherd {
 namespace {
 
-using FaceMarks = std::vector<char>;  ///< of each face of the input
+using FaceMarks = std::vector<char>;  ///< for each face of the input
 
-/// Marks the faces that have a vertex in common with marked ones, too.
+/// Marks also the faces that have a vertex in common with marked ones.
 void add_ring(const Mesh& mesh, FaceMarks& marks) {
     const FaceMarks before = marks;
     for (const Face face : mesh.faces()) {
@@ -45,7 +45,8 @@ void add_near(const Mesh& mesh, double distance, FaceMarks& marks) {
     add_ring(mesh, marks);
 }
 
-/// Where most edges are seams, as of a texture whose every triangle is an island, none can be kept.
+/// Drops texture coordinates if most edges are seams, as where every triangle is an island of the texture:
+/// seams could not be kept. Returns whether they were dropped.
 bool drop_torn_texture(Mesh& mesh) {
     auto [texture, exists] = find_property<Face, FaceTexture>(mesh, property::texture);
     if (!exists) return false;
@@ -56,7 +57,7 @@ bool drop_torn_texture(Mesh& mesh) {
     return true;
 }
 
-/// m, how far the vertices and middles of faces of a mesh are from another one at most.
+/// Largest distance, m, of the vertices and middles of faces of a mesh from another mesh.
 double farthest(const Mesh& mesh, const Mesh& from) {
     const AabbTree<CGAL::AABB_face_graph_triangle_primitive<Mesh>> tree(faces(from).first, faces(from).second,
                                                                         from);
@@ -67,23 +68,24 @@ double farthest(const Mesh& mesh, const Mesh& from) {
     return std::sqrt(squared);
 }
 
-/// Where faces of an input cross each other.
+/// Faces of an input that cross each other.
 struct InputCrossings {
-    FaceMarks there, near;  ///< those that do, and those that are near to such, too
-    std::size_t most = 0;   ///< pairs of faces that may cross there, once all are as large as is asked for
+    FaceMarks there, near;  ///< faces that cross, and these with the faces near them
+    std::size_t most = 0;   ///< pairs of faces that may cross there after remeshing
 };
 
-// Of the edge length: edges that nothing asks to split, and those of faces that cross, which would cross more
-// often as several.
+// Lengths, in edge lengths, up to which edges are not split: of most faces, and of faces that cross, whose
+// parts would cross more often.
 constexpr double longest = 4.0 / 3, large = 2;
 
-/// m, the lengths of a face's shortest and longest edge.
+/// Lengths of a face's shortest and longest edge, m.
 std::pair<double, double> edge_range(const Mesh& mesh, Face face) {
     const std::array<Eigen::Vector3d, 3> p = face_points(mesh, face);
     return std::minmax({(p[1] - p[0]).norm(), (p[2] - p[1]).norm(), (p[0] - p[2]).norm()});
 }
 
-/// Whether faces have a corner at one place, as along a seam that is not joined: these go on to touch there.
+/// Whether two faces have coincident corners, as along a seam that is not joined: such faces touch after
+/// remeshing, too.
 bool share_a_place(const Mesh& mesh, const std::array<Face, 2>& pair) {
     const std::array<Vertex, 3> one = face_corners(mesh, pair[0]), other = face_corners(mesh, pair[1]);
     return std::ranges::any_of(one, [&](Vertex a) {
@@ -92,7 +94,7 @@ bool share_a_place(const Mesh& mesh, const std::array<Face, 2>& pair) {
 }
 
 InputCrossings input_crossings(const Mesh& input, double edge_length) {
-    constexpr double pairs = 6;  // of faces, of that length, along as much of what larger ones share
+    constexpr double pairs = 6;  // crossing pairs of faces for each edge length of an intersection
     InputCrossings found{FaceMarks(input.number_of_faces(), 0), {}};
     for (const auto& pair : self_intersections(input)) {
         for (const Face face : pair) found.there[face] = 1;
@@ -106,7 +108,7 @@ InputCrossings input_crossings(const Mesh& input, double edge_length) {
     return found;
 }
 
-/// Where faces are kept, edges up to these lengths (m) stay whole.
+/// Lengths, m, up to which the edges of kept faces are not split; 0 for other faces.
 std::vector<double> unsplit(const InputCrossings& crossings, double edge_length, const FaceMarks& kept) {
     std::vector<double> lengths(kept.size(), 0);
     for (std::size_t face = 0; face < kept.size(); ++face)
@@ -114,7 +116,8 @@ std::vector<double> unsplit(const InputCrossings& crossings, double edge_length,
     return lengths;
 }
 
-/// One way to remesh an input: with faces whose shape is kept, and shorter edges where it turns out badly.
+/// An attempt to remesh an input, with faces whose shape is kept, and with shorter edges where the result is
+/// bad.
 class RemeshTrial {
   public:
     RemeshTrial(const Mesh& input, const RemeshOptions& options, const InputCrossings& there,
@@ -138,13 +141,14 @@ class RemeshTrial {
         }
     }
 
-    /// How many pairs of faces cross where no faces of the input do, and beyond the input's where these do.
+    /// Number of crossing pairs of faces: all of them where no faces of the input cross, and those beyond the
+    /// number of the input's where these cross.
     std::size_t crossings() const {
         return crossing.size() + (old_crossing.size() > there.most ? old_crossing.size() - there.most : 0);
     }
-    /// Whether there is anything that the input's faces do better.
+    /// Whether faces cross or edges are far too short, so that the input's faces would be better.
     bool is_worse() const { return crossings() > 0 || !tiny_edges().empty(); }
-    /// Marks the faces of the input below what is worse.
+    /// Marks the faces of the input below crossing faces and below edges that are far too short.
     void mark_worse(FaceMarks& marks) const {
         const auto mark = [&](Vertex v) { marks[remeshing.face_below(v)] = 1; };
         for (const auto& pair : crossing)
@@ -168,7 +172,7 @@ class RemeshTrial {
 
   private:
     using Triangle = std::array<Eigen::Vector3d, 3>;
-    static constexpr double smoothing = 1.0 / 4, shortest = 1.0 / 10;  // of the edge length
+    static constexpr double smoothing = 1.0 / 4, shortest = 1.0 / 10;  // edge lengths
 
     void find_crossings() {
         crossing.clear();
@@ -182,7 +186,7 @@ class RemeshTrial {
         }
     }
 
-    /// Edges that are far shorter than asked for, where the input's faces are not kept.
+    /// Edges that are far shorter than requested, where the input's faces are not kept.
     std::vector<Edge> tiny_edges() const {
         const Mesh& mesh = remeshing.mesh();
         std::vector<Edge> tiny;
@@ -206,7 +210,7 @@ class RemeshTrial {
         });
     }
 
-    /// Wants shorter edges where faces cross; returns whether there are longer ones.
+    /// Reduces the target length where faces cross. Returns whether it was larger anywhere.
     bool refine_crossings() {
         constexpr double ratio = 0.4;
         bool are_longer = false;
@@ -217,8 +221,8 @@ class RemeshTrial {
         return are_longer;
     }
 
-    /// Wants shorter edges where lines are so near to each other that angles are small; returns whether there
-    /// are longer ones.
+    /// Reduces the target length where lines are so near to each other that angles are small. Returns whether
+    /// it was larger anywhere.
     bool refine_slivers() {
         constexpr double small = 20 * std::numbers::pi / 180, ratio = 1.6, smallest = 1.0 / 6;
         bool are_longer = false;
@@ -234,7 +238,8 @@ class RemeshTrial {
         return are_longer;
     }
 
-    /// m, of edges that are made shorter there: a sixth of what is asked for, or those of the input.
+    /// Smallest target length at a vertex, m: a sixth of the requested one, or the input's shortest edge
+    /// there if that is less.
     double finest(Vertex v) const {
         constexpr double smallest = 1.0 / 6;
         return std::min(smallest * options.edge_length,
@@ -252,7 +257,7 @@ class RemeshTrial {
     const InputCrossings& there;
     const FaceMarks& kept;
     std::vector<std::array<Face, 2>> crossing,
-        old_crossing;  ///< where the input's faces do not, where they do
+        old_crossing;  ///< pairs that cross where the input's faces do not, and where they do
 };
 
 }  // namespace
@@ -268,7 +273,7 @@ Remeshed remesh(const Mesh& mesh, const RemeshOptions& options) {
     auto trial = std::make_unique<RemeshTrial>(input, options, there, kept);
     constexpr int keepings = 8;
     for (int i = 0; i < keepings && trial->is_worse(); ++i) {
-        // What is kept is larger from round to round, so that it covers what is there to be crossed.
+        // The kept part grows from round to round, until it covers the faces that would be crossed.
         FaceMarks more(kept.size(), 0);
         trial->mark_worse(more);
         for (int ring = 0; ring <= i / 2; ++ring) add_ring(input, more);

@@ -42,10 +42,10 @@ Remeshing::Remeshing(const InputSurface& surface, const SizeField& sizes, const 
     fix_shared_lines();
 }
 
-/// Chooses the vertices of shared lines that stay: on all sheets the same, as far from each other as edges
-/// are long. Those between are collapsed, and longer edges halved.
+/// Fixes vertices of shared lines, the same on all sheets, at distances of about the target length. Vertices
+/// between them are collapsed, and longer edges halved.
 void Remeshing::fix_shared_lines() {
-    constexpr double shortest = 0.75, shortest_last = 0.5;  // of the wanted length
+    constexpr double shortest = 0.75, shortest_last = 0.5;  // target lengths
     for (const FeatureLine& line : surface.lines.lines) {
         if (!line.is_shared) continue;
         double last = 0;
@@ -83,8 +83,8 @@ void Remeshing::improve(int rounds) {
 }
 
 void Remeshing::split_long() {
-    constexpr int sweeps = 24;           // each halves edges: none is so much too long
-    constexpr double longest = 4.0 / 3;  // of the wanted length
+    constexpr int sweeps = 24;           // each halves edges: enough for any length
+    constexpr double longest = 4.0 / 3;  // target lengths
     for (int sweep = 0; sweep < sweeps; ++sweep) {
         bool is_done = true;
         for (const Edge edge : edges_by_length(true)) {
@@ -129,7 +129,7 @@ void Remeshing::split(Edge edge) {
 }
 
 /// The point of the surface below a point of an edge. Where an end is on a line, its face may be on the other
-/// side of that.
+/// side of the line.
 InputSurface::Site Remeshing::below_edge(Vertex a, Vertex b, const Vector3d& near) const {
     if (!site[a].is_on_line) return surface.nearest(site[a].face, near, false);
     if (!site[b].is_on_line) return surface.nearest(site[b].face, near, false);
@@ -169,10 +169,11 @@ bool Remeshing::flip(Edge edge) {
     return true;
 }
 
-/// Moves vertices towards the middle of what is around them, by sizes; `stir`: and aside, by a part of an
-/// edge, which takes the order from a mesh that came as a grid.
+/// Moves vertices towards the mean of the centroids of the faces around them, weighted by area over squared
+/// target length. stir: random displacement, in target lengths, which breaks the order of a mesh that came as
+/// a grid.
 void Remeshing::move_vertices(double stir) {
-    constexpr double fine_angle = 32 * degree;  // where the smallest one may get worse
+    constexpr double fine_angle = 32 * degree;  // down to which angles may decrease
     for (const Vertex v : work.vertices()) {
         if (site[v].is_fixed) continue;
         const double least = std::min(angle_at(v), fine_angle);
@@ -197,7 +198,8 @@ void Remeshing::move_vertices(double stir) {
     }
 }
 
-/// Moves a vertex to the point nearest to `to` of the surface between its lines, if the triangles there fit.
+/// Moves a vertex to the point of the surface nearest to `to`, without crossing lines, if the triangles there
+/// fit.
 bool Remeshing::move(Vertex v, const Vector3d& to, double least_angle) {
     const InputSurface::Site found = surface.nearest(site[v].face, to, false);
     if (!fits(v, found.place, least_angle)) return false;
@@ -221,8 +223,8 @@ bool Remeshing::slide(Vertex v, double part, double least_angle) {
     return true;
 }
 
-/// Whether the faces around a vertex that is moved turn away neither from what they were nor from the
-/// surface, and have no smaller angle.
+/// Whether a vertex may move to `place`: no face around it turns away from its earlier normal or from the
+/// surface, and no angle falls below `least_angle`.
 bool Remeshing::fits(Vertex v, const Vector3d& place, double least_angle) const {
     for (const Face face : work.faces_around_target(work.halfedge(v))) {
         if (face == Mesh::null_face()) continue;
@@ -277,7 +279,8 @@ double Remeshing::angle_at(Vertex v) const {
     return least;
 }
 
-/// Whether a triangle looks the way that the surface does below those of its corners that are on no line.
+/// Whether the normal of a triangle agrees with that of the surface below those of its corners that are on no
+/// line.
 bool Remeshing::is_faithful(const std::array<Vertex, 3>& corners, const Triangle& places) const {
     constexpr double away = 0.5;  // cosine
     const Vector3d normal = triangle_normal(places);

@@ -12,39 +12,39 @@
 
 namespace sherd {
 
-/// A mesh while it is remeshed: the faces of a surface at first, then improved edge by edge, as Botsch and
-/// Kobbelt (2004) do, with lengths that vary. Its vertices stay on the surface, and on their lines; nothing
-/// is done that turns a face away from the surface.
+/// A mesh that is being remeshed: initially a copy of the surface, then improved edge by edge as in Botsch
+/// and Kobbelt (2004), with target lengths that vary. Vertices stay on the surface, and on their lines; no
+/// operation turns a face away from the surface.
 class Remeshing {
   public:
-    /// unsplit: [F] m, length up to which the edges of a face of the surface stay whole; 0: it is the wanted
-    /// one. The surface and the sizes have to outlive this.
+    /// unsplit: [F] m, length up to which the edges of a face of the surface are not split; 0: the target
+    /// length. The surface and the sizes have to outlive this.
     Remeshing(const InputSurface& surface, const SizeField& sizes, const std::vector<double>& unsplit);
     Remeshing(const Remeshing&) = delete;
     Remeshing& operator=(const Remeshing&) = delete;
 
-    /// Looks up what lengths of edges are wanted now.
+    /// Updates the target lengths at all vertices.
     void update_sizes();
-    /// Splits, collapses and flips edges and moves vertices along the surface, so many times; then mends
+    /// Splits, collapses and flips edges and moves vertices along the surface, `rounds` times; then removes
     /// small angles.
     void improve(int rounds);
 
     const Mesh& mesh() const { return work; }
     /// The face of the surface that the vertex lies in.
     Face face_below(Vertex v) const { return site[v].face; }
-    double size_at(Vertex v) const { return site[v].size; }  ///< m, wanted there
+    double size_at(Vertex v) const { return site[v].size; }  ///< m, target edge length
 
   private:
     static constexpr double degree = std::numbers::pi / 180;
     using Triangle = std::array<Eigen::Vector3d, 3>;
-    /// Where a vertex is on the surface.
+    /// Place of a vertex on the surface.
     struct Site {
         Face face;
-        double size = 0;        ///< m, wanted length of edges
-        bool is_fixed = false;  ///< a corner of lines, or of a shared line
+        double size = 0;        ///< m, target edge length
+        bool is_fixed = false;  ///< corner of lines, or chosen vertex of a shared line
         bool is_on_line = false;
     };
-    /// An edge of a line from a vertex, and how far along the line both ends are.
+    /// Edge of a line at a vertex, with the places (m) of both ends along the line.
     struct LineEnd {
         Vertex other;
         std::int32_t line;

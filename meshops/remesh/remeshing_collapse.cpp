@@ -24,8 +24,8 @@ void Remeshing::collapse_short() {
     }
 }
 
-/// Whether the source of h may go to its target, so that no edge is longer than `slack` times what is wanted,
-/// and no angle smaller than `least_angle` and than before.
+/// Whether the source of h may be moved to its target, so that no edge is longer than `slack` times the
+/// target length, and no angle falls below `least_angle` or, if that is less, the smallest one before.
 bool Remeshing::may_collapse(Halfedge h, double slack, double least_angle) const {
     const Vertex gone = work.source(h), stays = work.target(h);
     if (!keeps_lines(h) || !CGAL::Euler::does_satisfy_link_condition(work.edge(h), work)) return false;
@@ -52,7 +52,7 @@ bool Remeshing::may_collapse(Halfedge h, double slack, double least_angle) const
     return true;
 }
 
-/// Whether the source of h may go to its target without a line being bent or two being joined.
+/// Whether the source of h may be moved to its target without bending a line or joining two lines.
 bool Remeshing::keeps_lines(Halfedge h) const {
     const Vertex gone = work.source(h), stays = work.target(h);
     if (site[gone].is_fixed || (site[gone].is_on_line && !is_line(work.edge(h)))) return false;
@@ -69,7 +69,7 @@ void Remeshing::collapse(Halfedge h) {
     const Vertex gone = work.source(h), stays = work.target(h);
     const Point place = work.point(stays);
     const Site kept = site[stays];
-    // What the edges of both vertices say of lines, as it is to be once these are one.
+    // Lines at both vertices, with the ends that they have at the merged vertex.
     std::vector<LineEnd> ends;
     double here = 0;
     for (const LineEnd& end : line_ends(stays))
@@ -97,7 +97,8 @@ void Remeshing::mend_angles() {
         if (!work.is_removed(face) && sherd::smallest_angle(face_points(work, face)) < small) mend(face);
 }
 
-/// Flips the longest edge of a face or collapses its shortest one, if that makes its angles larger.
+/// Flips the longest edge of a face, collapses its shortest one, or moves a corner, if that makes its angles
+/// larger. Returns whether the mesh has changed.
 bool Remeshing::mend(Face face) {
     const auto around = work.halfedges_around_face(work.halfedge(face));
     std::vector<Halfedge> sides(around.begin(), around.end());

@@ -9,7 +9,7 @@
 namespace sherd {
 namespace {
 
-/// The first of the vertices at each vertex's place: [V].
+/// First of the vertices that coincide with each vertex: [V].
 std::vector<Vertex> first_at_place(const Mesh& mesh) {
     std::vector<Vertex> sorted(mesh.vertices().begin(), mesh.vertices().end());
     std::ranges::stable_sort(sorted, {}, [&](Vertex v) { return mesh.point(v); });

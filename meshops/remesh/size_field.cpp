@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// How much longer edges may get over the length of one.
+/// Largest increase of the target length over distance.
 constexpr double slope = 0.4;
 
 /// Largest of the curvatures across the edges at each vertex, 1/m: the angle between two faces' normals over
@@ -35,7 +35,7 @@ std::vector<double> curvatures(const InputSurface& surface) {
     return curvature;
 }
 
-/// Curvature of a line at a point between its ends, 1/m, seen from `reach` (m) on both sides.
+/// Curvature of a line at a point between its ends, 1/m, measured over `reach` (m) on both sides.
 double curvature_of(const FeatureLine& line, double way, double reach) {
     const double aside = std::min({reach, way, line.length() - way});
     if (!(aside > 0)) return 0;
@@ -55,8 +55,8 @@ void add_line_curvature(const InputSurface& surface, double reach, std::vector<d
     }
 }
 
-/// Makes lengths smaller where they rise faster over the edges of a mesh than triangles can follow, and the
-/// same on shared lines.
+/// Reduces lengths where they increase too fast along the edges of a mesh, and makes them equal at coincident
+/// vertices of shared lines.
 void grade(const Mesh& mesh, const std::vector<std::vector<Vertex>>& together, std::vector<double>& sizes) {
     std::vector<const std::vector<Vertex>*> others(sizes.size(), nullptr);
     for (const std::vector<Vertex>& some : together)
@@ -79,10 +79,10 @@ void grade(const Mesh& mesh, const std::vector<std::vector<Vertex>>& together, s
     }
 }
 
-/// Lengths of edges at the vertices of the surface: [V] m.
+/// Target lengths at the vertices of the surface: [V] m.
 std::vector<double> sizes_by_curvature(const InputSurface& surface, double edge_length) {
-    constexpr double rise = 0.06;         // of chords over the surface, of the edge length
-    constexpr double smallest = 1.0 / 6;  // of the edge length, however curved
+    constexpr double rise = 0.06;         // edge lengths, height of the surface over chords
+    constexpr double smallest = 1.0 / 6;  // edge lengths, however curved
     std::vector<double> sizes = curvatures(surface);
     add_line_curvature(surface, edge_length / 3, sizes);
     for (double& size : sizes) {

@@ -8,16 +8,16 @@
 
 namespace sherd {
 
-/// How long edges are to be at the points of a surface.
+/// Target edge length at the points of a surface.
 class SizeField {
   public:
-    /// `edge_length` (m), or, if it is adaptive, less where chords of that length would leave the surface or
-    /// a line by more than a part of it. The surface has to outlive this.
+    /// Target length `edge_length` (m) or, if it is adaptive, less where chords of that length would deviate
+    /// from the surface or a line by more than a fraction of it. The surface has to outlive this.
     SizeField(const InputSurface& surface, double edge_length, bool adaptive);
 
     double at(const InputSurface::Site& site) const;  ///< m
-    /// Makes edges at a point (m) as short as `size` (m), and those around it shorter as far as they are
-    /// near. Returns whether they were longer.
+    /// Reduces the target length at a point to `size` (m), and less so around it. Returns whether it was
+    /// larger.
     bool refine(const InputSurface::Site& site, double size);
 
   private:

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Whether what falls breaks, and from how high it came."""
+"""Measures whether a falling object breaks, and the height of its fall."""
 
 GRAVITY = 9.81  # m/s^2
 
 
 def measure(recording):
-    """broken: 1 when anything has cracked; height: m, of a fall to the speed at which it starts."""
+    """Returns broken: 1 if anything has cracked, else 0; height: m, of a free fall that ends at the initial speed."""
     speed = abs(recording.frame(0).velocities[:, 2].mean())
     return {"broken": int(recording.measures()["crack_length"] > 0), "height": speed**2 / (2 * GRAVITY)}

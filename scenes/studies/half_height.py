@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The height at which half of what falls breaks, of the table of `sherd sweep drop_height.toml`.
+"""Prints the height from which half of the dropped objects break, from the table of `sherd sweep drop_height.toml`.
 
     scenes/studies/half_height.py drop_height/study.csv
 
-Fits the probability of breaking as a logistic function of the logarithm of the height by maximum likelihood, and draws
-the rows of the table anew, 2,000 times, for the interval that has 95 of 100 fits. Needs numpy.
+Fits the probability of breaking as a logistic function of the logarithm of the height by maximum likelihood. The
+interval contains 95 % of the fits to 2,000 bootstrap samples of the table's rows. Needs numpy.
 """
 import csv
 import sys
@@ -14,7 +14,8 @@ import numpy
 
 
 def half(height, broken):
-    """m; by Newton's method. Not a number where one height parts those that break from those that do not."""
+    """Returns the height from which half break, m, by Newton's method; NaN if a height separates those that break from
+    those that do not."""
     features = numpy.column_stack([numpy.ones(len(height)), numpy.log(height)])
     weights = numpy.zeros(2)
     for _ in range(30):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which way a crack ran from its notch, without the notch."""
+"""Measures the direction of a crack that started at a notch, without the notch itself."""
 import collections
 
 import numpy
@@ -8,7 +8,8 @@ NOTCH_END, NOTCH_HEIGHT, NEAR = 0.02, 0.05, 1e-4  # m
 
 
 def crack(recording):
-    """Ends at rest of the edges that have failed: [N, 2, 2] m, each once, without the notch and the rim."""
+    """Returns the ends at rest of the edges that have failed: [N, 2, 2] m, each once, without the notch and the
+    boundary."""
     frame = recording.frame(len(recording) - 1)
     faces, rest = frame.rest_faces, frame.rest_positions[:, :2]
     sides = collections.Counter(tuple(sorted((face[i], face[(i + 1) % 3]))) for face in faces for i in range(3))
@@ -20,8 +21,8 @@ def crack(recording):
 
 
 def measure(recording):
-    """crack_angle: degrees from the notch, 0 to 180, mean of doubled angles by length; alike: 1 when all of it runs that
-    way."""
+    """Returns crack_angle: degrees to the notch, 0 to 180, mean of doubled angles weighted by length; alike: 0 to 1, 1
+    if the whole crack has this direction. Returns nothing if there is no crack."""
     way = numpy.diff(crack(recording), axis=1)[:, 0]
     if len(way) == 0:
         return {}

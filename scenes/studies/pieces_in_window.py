@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pieces of a pane as standards of tempered glass count them."""
+"""Counts the pieces of a pane as standards of tempered glass do."""
 import numpy
 
 HALF_WINDOW = 0.025  # m
 
 
 def measure(recording):
-    """On the 50 x 50 mm in the middle; pieces that a side of it cuts count half."""
+    """Returns pieces_in_window: pieces on the middle 50 x 50 mm; pieces that this square's sides cut count half."""
     frame = recording.frame(len(recording) - 1)
     rest, piece = frame.rest_positions[:, :2], frame.face_fragments
     middles = rest[frame.rest_faces].mean(axis=1)

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The power with which one column of a study's table goes with another, by least squares of their logarithms, and its
-standard deviation.
+"""Prints the exponent of the power law between two columns of a study's table, by least squares of their logarithms,
+and its standard deviation.
 
     scenes/studies/power.py star_cracks/study.csv speed radial_cracks
 
-Rows in which either is not positive are left out. Needs numpy.
+Rows in which either column is not positive are left out. Needs numpy.
 """
 import csv
 import sys

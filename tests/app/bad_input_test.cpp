@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bad input through the real program: exit code 2, a message that says where and what, and nothing written.
-// If one of these fails, a user loses a run, a file, or the way to the mistake.
+// Invalid input through the real program: exit code 2, a message with the place and the fault, and nothing
+// written. Otherwise a user loses a run, a file, or the way to the mistake.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ std::string with_mesh(const std::string& mesh) {
     return replaced(good_scene, R"({ generate = "disc", radius = 0.1, edge_length = 0.03 })", mesh);
 }
 
-/// A scene, or one with a mesh file, and what the message about it must say.
+/// Scene, or one with a mesh file, and the parts of the message about it.
 struct BadInput {
     std::string name;
     std::string scene;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Plates and shells beside theory and published numbers, computed from scenes: the bounds are what was
-// measured plus a little. Loads, supports, gauges and paths are held by it as much as hinges are.
+// Plates and shells, computed from scenes, against theory and published numbers: the bounds are the measured
+// errors plus a margin. Loads, supports, gauges and paths are tested by this as much as hinges.
 #include <gtest/gtest.h>
 
 #include "app/bench/shell_run.h"
@@ -57,8 +57,8 @@ INSTANTIATE_TEST_SUITE_P(Plates, ShellBench,
                                          Bound{"hyperboloid, free ends, t = 0.01", 0.1, 0.6},
                                          Bound{"hyperboloid, free ends, t = 0.001", 0.1, 1, "arc"}));
 
-// Why there are coupled hinges at all, and what core/bending/README.md says of the others: correct it when
-// they become better.
+// Reason for coupled hinges, and errors of the others in core/bending/README.md: to be corrected there when
+// they become smaller.
 struct Range {
     const char* name;
     double edge;

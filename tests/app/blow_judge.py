@@ -1,33 +1,33 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Says of motions between two frames whether anything passed through a sheet. It shares nothing with the program:
-bodies and obstacles move by the screw between the frames, sheets straight after their mean rotation is taken out, and a
-vertex that meets a triangle, or an edge that meets another one, at a time between is a crossing. Where a sheet is
-closed, by itself or by a rim that rests, or is large, the solid angle that it fills as seen from a point says on which
-side the point is."""
+"""Decides whether anything passed through a sheet between two frames, by code of its own, independent of the program's.
+Bodies and obstacles move by the screw motion between the frames, sheets in straight lines once their mean rotation is
+removed. A crossing is a vertex that meets a triangle, or an edge that meets another edge, at a time in between. For a
+sheet that is closed, or has a boundary at rest, or is large, its solid angle as seen from a point tells on which side
+the point is."""
 import dataclasses
 
 import numpy
 
-TURN = 0.1  # rad, in a part of a frame in which all moves straight
-SHRUNK = 0.97  # solids, about their middle: round obstacles have facets, which lie within
-INSIDE = 1e-9  # of an element, beside its border
+TURN = 0.1  # rad, largest rotation in a part of a frame in which all points move straight
+SHRUNK = 0.97  # scale of solids about their middle: facets of round obstacles lie inside the obstacle
+INSIDE = 1e-9  # smallest barycentric coordinate of a point inside an element
 BISECTIONS = 40
-KNOWN = 1.5  # rad, that a body turns in a frame and cannot well be another way
-FLAT = 1e-9  # of an edge's length, from the plane of a face that it is in
-NEAR = 0.1  # of a sheet's extent, from its rim
+KNOWN = 1.5  # rad, rotation of a body in a frame below which its direction is unambiguous
+FLAT = 1e-9  # distance of an edge's end from a plane over the edge's length, below which the end is in the plane
+NEAR = 0.1  # distance from a sheet's boundary over its extent
 
 
 # Motions
 
 
 def rotation_vector(matrix):
-    """Axis times angle (rad) of a rotation."""
+    """Returns axis times angle (rad) of a rotation matrix."""
     sine = numpy.array([matrix[2, 1] - matrix[1, 2], matrix[0, 2] - matrix[2, 0], matrix[1, 0] - matrix[0, 1]]) / 2
     cosine = (numpy.trace(matrix) - 1) / 2
     angle = numpy.arctan2(numpy.linalg.norm(sine), cosine)
     if angle < 1e-9:
         return sine
-    if angle > numpy.pi - 1e-4:  # the axis is that of the projection that is left
+    if angle > numpy.pi - 1e-4:  # the symmetric part is nearly the projection on the axis
         square = (matrix + matrix.T) / 4 + numpy.eye(3) / 2
         axis = square[:, numpy.argmax(numpy.diag(square))]
         axis = axis / numpy.linalg.norm(axis)
@@ -45,7 +45,7 @@ def rotation(vector):
 
 
 class SheetMotion:
-    """A sheet between two frames: straight, after its mean rotation is taken out."""
+    """Motion of a sheet between two frames: straight, once its mean rotation is removed."""
     is_known = True
 
     def __init__(self, start, end):
@@ -62,8 +62,8 @@ class SheetMotion:
 
 
 class BodyMotion:
-    """A solid between two poses (rotation, translation) against its place: by their screw, or, where it turns so far
-    that it may have turned otherwise, with its middle straight."""
+    """Motion of a solid between two poses (rotation, translation) relative to its initial place: a screw motion, or,
+    where the rotation is so large that its direction is ambiguous, with the solid's middle moving straight."""
 
     def __init__(self, corner, start, end):
         self.corner = corner @ start[0].T + start[1]
@@ -73,7 +73,7 @@ class BodyMotion:
         angle = numpy.linalg.norm(self.turn)
         self.axis = self.turn / angle if angle > 0 else numpy.zeros(3)
         self.slide = (shift @ self.axis) * self.axis if angle > 1e-9 else shift
-        # The point that the rotation leaves where it is, nearest to the middle of the solid
+        # The point of the screw axis that is nearest to the middle of the solid
         middle = self.corner.mean(axis=0)
         self.fixed = middle
         self.is_known = angle < KNOWN
@@ -89,7 +89,7 @@ class BodyMotion:
 
 
 class KeyedMotion:
-    """A solid that moves by its keys, which the scene has."""
+    """Motion of a solid by the keys of the scene."""
     is_known = True
 
     def __init__(self, corner, keys, begin, end):
@@ -106,7 +106,7 @@ class KeyedMotion:
 
 
 def zeros_of(coefficients):
-    """Up to three zeros in [0, 1] of each cubic, NaN where there is none, each with whether it rises there."""
+    """Returns up to three zeros in [0, 1] of each cubic, NaN where there is none, and whether the cubic rises there."""
     c0, c1, c2, c3 = coefficients
     with numpy.errstate(all="ignore"):
         root = numpy.sqrt(c2 * c2 - 3 * c1 * c3)
@@ -131,7 +131,8 @@ def zeros_of(coefficients):
 
 
 def coplanar_times(a, b, c):
-    """When three vectors, each (start, change), lie in a plane, and whether their volume grows then."""
+    """Returns the times at which three vectors, each (start, change), lie in a plane, and whether their volume then
+    grows."""
     def triple(u, v, w):
         return numpy.einsum("ij,ij->i", u, numpy.cross(v, w))
     c0 = triple(a[0], b[0], c[0])
@@ -141,7 +142,7 @@ def coplanar_times(a, b, c):
 
 
 def overlapping(first, second):
-    """Pairs of boxes (low, high) that overlap."""
+    """Returns the pairs of boxes (low, high) that overlap."""
     apart = (first[0][:, None, :] > second[1][None]).any(axis=2) | (second[0][None] > first[1][:, None, :]).any(axis=2)
     return numpy.nonzero(~apart)
 
@@ -153,8 +154,8 @@ def boxes(start, end, elements):
 
 @dataclasses.dataclass
 class Crossing:
-    """Two elements that pass each other in a frame, once or an odd number of times: names of their surfaces, and how
-    far it was from the nearest rim of a sheet in which it happened (m)."""
+    """Two elements that cross each other in a frame an odd number of times: the names of their surfaces, and the
+    distance (m) of the crossing from the boundary of the sheet."""
     of: str
     through: str
     depth: float
@@ -165,8 +166,8 @@ def at_time(start, end, vertices, time):
 
 
 def vertex_crossings(points, moving, faces):
-    """Vertices of `points` through triangles; each (start, end). Yields vertices, 1 where they go to the side of the
-    triangle's normal and else -1, and times."""
+    """Finds vertices of `points` that cross triangles of `moving`; both are (start, end). Yields vertices, 1 where they
+    move to the side of the triangle's normal and else -1, and times."""
     vertex, face = overlapping((numpy.minimum(*points), numpy.maximum(*points)), boxes(*moving, faces))
     corner = faces[face]
     apart = (corner != vertex[:, None]).all(axis=1) if points is moving else numpy.ones(len(vertex), bool)
@@ -186,7 +187,7 @@ def vertex_crossings(points, moving, faces):
 
 
 def shares(u, v, w):
-    """The shares of u and v in w, which is in their plane."""
+    """Returns the coefficients of w, which lies in the plane of u and v, in terms of u and v; NaN for parallel ones."""
     uu, uv, vv, wu, wv = [numpy.einsum("ij,ij->i", x, y) for x, y in ((u, u), (u, v), (v, v), (w, u), (w, v))]
     with numpy.errstate(all="ignore"):
         area = uu * vv - uv * uv
@@ -195,7 +196,7 @@ def shares(u, v, w):
 
 
 def edge_crossings(one, edges_of_one, other, edges_of_other):
-    """Edges that cross edges. Yields those of either surface, times and places."""
+    """Finds edges of two surfaces that cross. Yields the edges of either surface, times and places."""
     first, second = overlapping(boxes(*one, edges_of_one), boxes(*other, edges_of_other))
     if one is other:
         once = first < second
@@ -222,7 +223,7 @@ def edge_crossings(one, edges_of_one, other, edges_of_other):
 
 @dataclasses.dataclass
 class Surface:
-    """Something that moves in a frame."""
+    """A triangle mesh with its motion between two frames."""
     name: str
     motion: object
     faces: numpy.ndarray
@@ -235,30 +236,31 @@ class Surface:
         self.rims = set(map(tuple, self.rim))
 
     def depth(self, place, time):
-        """How far a place is from the rim, at a time in the frame (m)."""
+        """Returns the distance (m) of a place from the boundary, at a time in the frame from 0 to 1."""
         if len(self.rim) == 0:
             return numpy.inf
         return distances(place[None], self.motion.at(time), self.rim)[0]
 
 
 def distances(places, corner, edges):
-    """How far each place is from the nearest of these edges (m)."""
+    """Returns the distance (m) of each place from the nearest of the edges."""
     start, way = corner[edges[:, 0]], corner[edges[:, 1]] - corner[edges[:, 0]]
     share = numpy.clip(((places[:, None] - start) * way).sum(axis=2) / (way ** 2).sum(axis=1), 0, 1)
     return numpy.linalg.norm(start + share[..., None] * way - places[:, None], axis=2).min(axis=1)
 
 
 def parts_of(one, other):
-    """Begin and end of parts of a frame in which neither turns far."""
+    """Returns begin and end of parts of a frame in which neither surface rotates by more than TURN."""
     turn = max(numpy.linalg.norm(one.motion.turn), numpy.linalg.norm(other.motion.turn))
     times = numpy.linspace(0, 1, (int(numpy.ceil(turn / TURN)) or 1) + 1)
     return zip(times, times[1:])
 
 
 def crossings_of(one, other):
-    """What two surfaces, or a sheet with itself, pass of each other in a frame, unless all of it returns within: where
-    neither a vertex stays beyond a face nor a rim has passed an edge, parts only poked through and back."""
-    # By surface and vertex, the sum of the ways; by pair of edges, how often: each with the last time and place
+    """Returns the crossings of two surfaces, or of a sheet with itself, in a frame. Returns none if all crossings are
+    undone within the frame: if no vertex stays on the other side of a face and no boundary edge has crossed an edge."""
+    # vertices: by surface and vertex, the sum of signs; pairs: by pair of edges, the number; both with last time and
+    # place
     vertices, pairs = {}, {}
     for begin, end in parts_of(one, other):
         a = (one.motion.at(begin), one.motion.at(end))
@@ -282,14 +284,14 @@ def crossings_of(one, other):
 
 
 def largest_motion(one, other):
-    """How far any point of either goes in a frame, seen from the middle of the other one (m)."""
+    """Returns the largest displacement (m) of any point in a frame, relative to the middle of the other surface."""
     begin, end = [[surface.motion.at(time) for surface in (one, other)] for time in (0, 1)]
     shift = end[1].mean(axis=0) - begin[1].mean(axis=0)
     return max(numpy.linalg.norm(last - first - shift, axis=1).max() for first, last in zip(begin, end))
 
 
 def standing_crossings(one, other, time):
-    """How many edges of two surfaces are in triangles of the other one, at a time in the frame."""
+    """Returns the number of edges that intersect triangles of the other surface, at a time in the frame."""
     count = 0
     for edged, faced in [(one, other), (other, one)][:1 if one is other else 2]:
         corner, points = faced.motion.at(time), edged.motion.at(time)
@@ -304,7 +306,7 @@ def standing_crossings(one, other, time):
 
 
 def is_through(start, end, a, b, c):
-    """Whether each way goes through its triangle."""
+    """Returns for each segment whether it passes through its triangle."""
     def volume(p, q, r, s):
         return numpy.einsum("ij,ij->i", q - p, numpy.cross(r - p, s - p))
     sides = numpy.stack([volume(start, end, a, b), volume(start, end, b, c), volume(start, end, c, a)])
@@ -319,7 +321,7 @@ def is_through(start, end, a, b, c):
 
 
 def solid_angles(points, corner, faces):
-    """How much of the sphere around each point these triangles fill, signed (van Oosterom and Strackee 1983)."""
+    """Returns the signed solid angle of the triangles as seen from each point (van Oosterom and Strackee 1983)."""
     rays = corner[None] - points[:, None]
     length = numpy.linalg.norm(rays, axis=2)
     a, b, c = [rays[:, faces[:, k]] for k in range(3)]
@@ -330,11 +332,11 @@ def solid_angles(points, corner, faces):
 
 
 def times_through(start, end, corner, faces):
-    """How often each straight way goes through resting triangles, signed: once to the side of their normals is 1."""
+    """Returns how often each segment passes through triangles at rest: +1 to the side of their normals, -1 back."""
     a, b, c = [corner[faces[:, k]] for k in range(3)]
     way = (end - start)[:, None, :]
 
-    def volume(u, v):  # of the tetrahedron of the way and a side
+    def volume(u, v):  # tetrahedron of the segment and a side
         return numpy.einsum("pfi,pfi->pf", numpy.broadcast_to(way, (len(start), len(faces), 3)),
                             numpy.cross(u[None] - start[:, None], v[None] - start[:, None]))
     sides = numpy.stack([volume(a, b), volume(b, c), volume(c, a)])
@@ -346,8 +348,8 @@ def times_through(start, end, corner, faces):
 
 
 class Sides:
-    """On which side of a sheet points are, frame by frame. Points that come near a rim that rests are dropped: between
-    two frames they may go round it."""
+    """Sides of a sheet on which points are, frame by frame. Points that come near a boundary at rest are dropped, since
+    between two frames they may move around it."""
 
     def __init__(self, border, sheet, points):
         self.border, self.rest, self.faces, self.rim = border, sheet.motion.at(0), sheet.faces, sheet.rim
@@ -357,8 +359,8 @@ class Sides:
         self.first = solid_angles(points, self.rest, self.faces)
 
     def step(self, points, corner, known):
-        """Which of the points are on the other side at the end of this frame. points: at several times in it. known: of
-        which the ways are."""
+        """Returns which points are on the other side at the end of this frame. points: their places at several times in
+        the frame. known: whether the path of each point is unambiguous."""
         self.kept &= known
         if self.border == "pinned":
             for place in points:

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""blow_judge_cases.py: holds the judge of random blows against motions that are known: what passes, what slides by,
-what bounces, what stands across. Exit code 1: it says something else of one."""
+"""blow_judge_cases.py: tests the checks of random impacts (blow_judge.py) by motions with known results: passing
+through, sliding past, bouncing, intersecting. Exit code 1: a check fails on a motion."""
 import math
 import pathlib
 import sys
@@ -19,7 +19,7 @@ from blow_solids import ball, closed_box, prism, turned  # noqa: E402
 
 
 def grid(count=6, size=1.0):
-    """A square in the plane z = 0, around the origin: vertices and triangles."""
+    """Returns vertices and triangles of a square in the plane z = 0 about the origin."""
     corner = numpy.array([[x / count - 0.5, y / count - 0.5, 0] for x in range(count + 1) for y in range(count + 1)])
     faces = []
     for x in range(count):
@@ -34,14 +34,14 @@ def sheet(start, end, faces, name="sheet"):
 
 
 def solid(shape, start, end, name="solid"):
-    """A solid that goes from a place to another one."""
+    """Returns the surface of a solid that moves straight from one place to another."""
     motion = judge.BodyMotion(shape[0], *[(numpy.eye(3), numpy.array(place, float)) for place in (start, end)])
     return judge.Surface(name, motion, shape[1], False)
 
 
 def way(sheet_at, *places):
-    """Whether points of the last of the sheets' places are beyond, after a point went there. sheet_at: for each place,
-    where the sheet's vertices are."""
+    """Returns whether a point that moves along `places` is on the other side of a pinned sheet at the end. sheet_at:
+    for each place after the first, the positions of the sheet's vertices."""
     corner, faces = grid()
     rest = judge.Surface("sheet", judge.SheetMotion(corner, corner), faces, True)
     sides = judge.Sides("pinned", rest, numpy.array([places[0]], float))
@@ -134,7 +134,7 @@ class Crossings(unittest.TestCase):
     def test_a_strip_that_folds_through_itself_is_seen(self):
         length = self.corner[:, 0] + 0.5
 
-        def folded(height):  # beyond three fifths it comes back at this height, falling by a tenth
+        def folded(height):  # beyond three fifths of its length the strip returns at this height, descending by 0.1
             back = numpy.maximum(length - 0.6, 0)
             z = numpy.where(back > 0, height - back / 4, 0)
             return numpy.stack([length - 2 * back, self.corner[:, 1], z], axis=1)
@@ -188,7 +188,7 @@ class SidesOfSheets(unittest.TestCase):
 
 
 class StepsThatWereMade(unittest.TestCase):
-    """A crossing between frames is forgiven only if no step of the program has one."""
+    """A crossing between frames is dismissed only if no step of the program has one."""
     MODULE = """
 import types
 import numpy
@@ -206,8 +206,8 @@ class Simulation:
 """
 
     def outcome(self, heights, fall=0.0, fault=""):
-        """Outcome and words where a ball was at these heights, at the last one the sheet lower by `fall`. fault: a
-        statement of the module."""
+        """Returns outcome and explanation for a ball at these heights, the sheet lowered by `fall` at the last of them.
+        fault: a statement that is appended to the module."""
         corner, faces = grid()
         positions = numpy.array([corner] * len(heights))
         positions[-1, :, 2] -= fall

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Parts of random blows, for blow_scenes.py: materials, sheets that are struck, strikers and their motions, as words of
-a scene."""
+"""Parts of random impacts, for blow_scenes.py: materials, struck sheets, strikers and their motions, as text of a
+scene."""
 import dataclasses
 import math
 import random
@@ -11,15 +11,15 @@ from blow_solids import as_obj, as_stl, ball, closed_box, octahedron, prism, tur
 
 PRESETS = {"stoneware": 5400, "porcelain": 5400, "glass": 5300, "pmma": 1640, "eggshell": 3600, "steel": 5200,
            "aluminium": 5100, "paper": 1960, "cotton": 63}  # speed of sound, m/s
-SUBSTEPS = 4000  # about as many at most in a run that has explicit steps
-FASTEST = 0.25  # of the speed of sound in the sheet, unless explicit steps would be too many
-LARGEST_TURN = 1.5  # rad a step: of what turns beyond half a turn nobody can tell which way it went
+SUBSTEPS = 4000  # largest number of substeps of a run with explicit steps, about
+FASTEST = 0.25  # largest speed over the speed of sound in the sheet, unless that needs too many explicit steps
+LARGEST_TURN = 1.5  # rad a step; beyond half a turn the direction of rotation is ambiguous
 SMALLEST_VOXEL = 2e-5  # m
 
 
 class Chance(random.Random):
     def between(self, least, most):
-        """A number, evenly in its logarithm."""
+        """Returns a random number, uniform in its logarithm."""
         return math.exp(self.uniform(math.log(least), math.log(most)))
 
     def direction(self):
@@ -46,7 +46,7 @@ class Material:
 
 
 def material(chance, size, thinnest=2e-4, thickest=0.05):
-    """Any material. thinnest, thickest: its thickness over the size."""
+    """Returns a random material. thinnest, thickest: bounds of its thickness over the size."""
     thickness = size * chance.between(thinnest, thickest)
     if chance.random() < 0.6:
         name = chance.choice(list(PRESETS))
@@ -58,7 +58,7 @@ def material(chance, size, thinnest=2e-4, thickest=0.05):
 
 @dataclasses.dataclass
 class Pace:
-    """How large, long and fast all is, and what the struck sheet is made of. sizes: sheet sizes a step."""
+    """Size, duration and speed of an impact; material of the struck sheet. sizes: speed in sheet sizes a step."""
     size: float
     sizes: float
     steps: int
@@ -76,7 +76,8 @@ class Pace:
 
 
 def pace(chance, scheme, how, thickest=0.05):
-    """A pace for a target of this kind; a large one is ten times larger than the way."""
+    """Returns a random pace for a target of the kind `how`; a "large" target is at least ten times larger than the
+    striker's path."""
     size, sizes, steps = chance.between(0.005, 0.5), chance.between(0.01, 10), chance.randint(6, 20)
     if how == "large":
         steps = chance.randint(3, 6)
@@ -96,7 +97,7 @@ def pace(chance, scheme, how, thickest=0.05):
 
 @dataclasses.dataclass
 class Target:
-    """A sheet that is struck at a point of it, from there outward along `normal`. border: as in Blow."""
+    """A sheet that is struck at `point`, against the outward direction `normal`. border: as in Blow."""
     words: str
     point: numpy.ndarray
     normal: numpy.ndarray
@@ -105,7 +106,7 @@ class Target:
 
 
 def flat(chance, size, faces):
-    """Words of a flat mesh with about so many faces, and its middle."""
+    """Returns the scene text of a flat mesh with about this number of faces, and the middle of the mesh."""
     edge = size * math.sqrt(2.3 / faces)
     if chance.random() < 0.6:
         height = size * chance.uniform(0.5, 1)
@@ -118,7 +119,8 @@ def flat(chance, size, faces):
 
 
 def turn(chance, much, size):
-    """Of something so large, up to about as fast as the blow is (rad a step)."""
+    """Returns a random rotation (rad a step) of something of this size, whose surface is about as fast as the impact at
+    most."""
     return min(chance.between(0.02, 1) * 2 * much.speed * much.step / size, LARGEST_TURN)
 
 
@@ -131,7 +133,7 @@ def sheet_words(name, mesh, stuff, more):
 
 
 def pane(chance, much, how):
-    """A flat sheet: pinned all around, free, large or spinning."""
+    """Returns a flat target: pinned all around, free, large or spinning."""
     size = much.size
     mesh, middle = flat(chance, size, chance.randint(30, 160))
     axis, degrees = chance.direction(), chance.uniform(0, 180) if chance.random() < 0.5 else 0
@@ -153,7 +155,7 @@ def round_about(chance):
 
 
 def shell(chance, much, how):
-    """A closed sphere or vessel, an open tube or a bowl."""
+    """Returns a curved target: a closed sphere or vessel, an open tube or a bowl."""
     size, radius, edge = much.size, much.size / 2, much.size * chance.uniform(0.14, 0.22)
     if how == "bowl":
         mesh = f'{{ generate = "bowl", radius = {radius:.6g}, edge_length = {edge:.6g} }}'
@@ -186,11 +188,11 @@ def target(chance, much, how):
 
 @dataclasses.dataclass
 class Shape:
-    """Words of a striker, its solid around the origin, its files."""
+    """Scene text of a striker, its solid about the origin, and its files."""
     words: str
     solid: tuple
     files: dict
-    free: bool  # it may be a free body
+    free: bool  # whether the striker may be a free body
 
 
 def shape_of_mesh(chance, solid, voxel):
@@ -200,7 +202,7 @@ def shape_of_mesh(chance, solid, voxel):
 
 
 def striker_shape(chance, size, kind):
-    """A striker that is about as large as `size`."""
+    """Returns a random striker of this kind that is about as large as `size`."""
     if kind == "sphere":
         return Shape(f"sphere = {{ radius = {size / 2:.6g} }}", ball(size / 2), {}, True)
     if kind in ("box", "rod", "wire"):
@@ -221,7 +223,7 @@ def striker_shape(chance, size, kind):
 
 @dataclasses.dataclass
 class Keys:
-    """An obstacle's motion: it begins at a time and ends at another one, moved and turned about its centre."""
+    """Motion of an obstacle between two times: a translation, and a rotation about its centre."""
     begin: float
     end: float
     translate: numpy.ndarray
@@ -231,7 +233,7 @@ class Keys:
     smooth: bool
 
     def pose(self, time):
-        """Rotation and translation at a time, against where it was placed."""
+        """Returns rotation and translation at a time, relative to the initial place."""
         share = min(max((time - self.begin) / (self.end - self.begin), 0), 1)
         share = share * share * (3 - 2 * share) if self.smooth else share
         matrix = turned(self.axis, self.degrees * share)

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""blow_race SHERD [--blows N] [--first SEED] [--jobs N] [--seed SEED [--keep DIR]]: random blows (blow_scenes.py), each
-run by the real program and judged by the recording (blow_recording.py): nothing may pass through a sheet. A blow is
-held, or ends with the error, at most 5 % of those below 0.1 sheet sizes a step. A crossing between two frames, where no
-side is known, counts if the same blow in steps of an eighth has one, too, or has an effect that this one does not have,
-and if one of the steps that the program made between the frames has one (blow_steps.py, by the module for Python).
---seed judges one blow again, and --keep leaves scenes and recordings in a folder. Exit code 1: a blow passed, the
-program crashed, or too many blows did not end as they should."""
+"""blow_race SHERD [--blows N] [--first SEED] [--jobs N] [--seed SEED [--keep DIR]]: random impacts (blow_scenes.py),
+each run by the real program and checked by its recording (blow_recording.py): nothing may pass through a sheet. A run
+either holds or ends with the proper error, the latter in at most 5 % of the runs below 0.1 sheet sizes a step. A
+crossing between two frames, where no side is known, counts only if the same impact in steps of an eighth has one, too,
+or has an effect that this run lacks, and if one of the steps between the frames has one (blow_steps.py, with the Python
+module). --seed repeats one impact, and --keep leaves scenes and recordings in a folder. Exit code 1: something passed
+through, the program crashed, or too many runs did not end as they should."""
 import os
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 import argparse  # noqa: E402
@@ -28,11 +28,11 @@ from limits import limit  # noqa: E402
 
 MEMORY = 4 << 30  # bytes
 PATIENCE = 20  # s of processor time
-FINER = 8  # times shorter steps, where a crossing is to be confirmed
-OFTEN = 0.05  # of gentle blows, which may end with the error
-GENTLE = 0.1  # sheet sizes a step, at most
-SELDOM = 0.02  # of all blows, which may be stopped before they end
-# Words of the errors by which a blow may end
+FINER = 8  # divisor of the step where a crossing is to be confirmed
+OFTEN = 0.05  # largest share of gentle impacts that may end with the error
+GENTLE = 0.1  # sheet sizes a step, below which an impact is gentle
+SELDOM = 0.02  # largest share of all impacts that may be stopped before they end
+# Parts of the error messages with which a run may end
 PROPER = ["cannot be solved", "passes through", "have become unstable", "would need substeps"]
 
 
@@ -42,21 +42,21 @@ class Result:
     kind: str
     scheme: str
     pace: float
-    outcome: str  # one of OUTCOMES
+    outcome: str  # element of OUTCOMES
     words: str
     seconds: float
 
 
 @dataclasses.dataclass
 class Done:
-    code: int | None  # None: no end
-    words: str  # of the error
+    code: int | None  # exit code; None: stopped at a limit
+    words: str  # error message
     recording: pathlib.Path
-    seconds: float  # of processor time
+    seconds: float  # processor time
 
 
 def run(sherd, folder, blow, finer=1):
-    """Runs a blow, in steps so many times shorter."""
+    """Runs an impact in steps that are `finer` times shorter."""
     (folder / "s.toml").write_text(blow.text)
     for name, content in blow.files.items():
         (folder / name).write_text(content)
@@ -90,7 +90,7 @@ def judged(sherd, seed, folder):
 
 
 def confirmed(sherd, folder, blow, seen):
-    """What becomes of a blow with crossings between frames, by what steps of an eighth show: outcome and words."""
+    """Returns outcome and explanation of an impact with crossings between frames, by a run in steps of an eighth."""
     finer = run(sherd, folder, blow, FINER)
     if finer.code not in (0, 1):
         return "held", f"{seen.words()}; no end at an eighth of the step"
@@ -104,8 +104,9 @@ def confirmed(sherd, folder, blow, seen):
 
 
 def by_each_step(sherd, folder, blow, seen, why):
-    """Returns outcome and words of a blow that shorter steps confirm: it is held if none of the steps that the program
-    made has a crossing and these steps, made once more from Python, end where the recording ends, bit for bit."""
+    """Returns outcome and explanation of an impact whose crossing shorter steps confirm. It is held if none of the
+    steps that the program made has a crossing; these are repeated from Python, and must end bitwise as the recording
+    does."""
     recording, words = folder / "steps.h5", f"{seen.words()}; {why}"
     here = pathlib.Path(__file__).resolve().parent
     module = pathlib.Path(sherd).resolve().parent / "python"  # beside the program, in the build folder
@@ -153,7 +154,7 @@ def speed(result):
 
 
 def verdict(results):
-    """Prints what became of all; returns whether that is as it must be."""
+    """Prints tables of the outcomes; returns whether all requirements are met."""
     for by, title in ((lambda r: r.kind.split(" on ")[-1], "target"), (lambda r: r.kind.split(" on ")[0], "striker"),
                       (lambda r: r.scheme, "scheme"), (speed, "speed"), (lambda r: "all", "")):
         table(results, by, title)

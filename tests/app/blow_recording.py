@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads the recording of a random blow, and looks at it frame by frame with blow_judge.py."""
+"""Reads the recording of a random impact, and checks it frame by frame with blow_judge.py."""
 import collections
 
 import h5py
@@ -7,17 +7,17 @@ import numpy
 
 import blow_judge
 
-LOOKS = 8  # at points on their ways, in a frame
-FELT = 0.02  # of a blow's speed, that it changes at least
-MISSED = 0.2  # of what finer steps feel of a blow, below which it was missed
-INSIDE = 0.5  # of the sphere around a point that a solid fills: the point is in it
+LOOKS = 8  # times in a frame at which places of points are evaluated
+FELT = 0.02  # change of velocity over the impact's speed, above which an impact has an effect
+MISSED = 0.2  # change of velocity over that with finer steps, below which the impact was missed
+INSIDE = 0.5  # solid angle of a solid over the full sphere, above which the point is inside
 
 
 class Seen:
-    """What a recording shows, in words. passed: what cannot be doubted: points on the other side of a sheet whose side
-    is known, edges that stand in faces, vertices in solids; crossed: what crossed between two frames, and deep: farther
-    from all rims than anything moved there. shoved: by how much the blow changed the mean velocity of the sheet that is
-    struck, and that of a free body or a sheet that strikes (m/s)."""
+    """Findings of a recording, as text. passed: certain failures, namely points on the other side of a sheet with known
+    sides, edges that intersect faces, vertices in solids; crossed: crossings between two frames; deep: those farther
+    from all boundaries than anything moved in the frame. shoved: changes (m/s) of the mean velocity of the struck
+    sheet, and of the free body or sheet that strikes."""
 
     def __init__(self, blow, recording):
         self.blow, self.passed, self.deep, self.crossed = blow, [], [], []
@@ -37,7 +37,7 @@ class Seen:
             self.look(k)
 
     def shove(self, frames):
-        """In any of the frames: what is pinned swings back."""
+        """Returns the largest changes of velocity in any frame, because pinned sheets swing back."""
         if len(frames) < 2:
             return numpy.zeros(2)
         return numpy.array([self.shove_of_sheet(frames, 0), self.shove_of_striker(frames)])
@@ -69,7 +69,7 @@ class Seen:
         return blow_judge.Surface(name, motion, faces, False)
 
     def surfaces(self, k):
-        """What moves between the frames k and k + 1."""
+        """Returns all sheets and solids with their motions between the frames k and k + 1."""
         found = []
         for name, used, faces in zip(self.sheets, self.vertices, self.faces):
             motion = blow_judge.SheetMotion(self.positions[k][used], self.positions[k + 1][used])
@@ -95,7 +95,7 @@ class Seen:
             if (numpy.abs(within) > INSIDE).any():
                 self.passed.append(f"{where}: {(numpy.abs(within) > INSIDE).sum()} vertices are in the solid")
         if self.blow.border in ("closed", "large") and one is not other:
-            return  # the sides say it
+            return  # look_at_sides() decides
         found = blow_judge.crossings_of(one, other)
         if found:
             moved = blow_judge.largest_motion(one, other)
@@ -119,7 +119,7 @@ class Seen:
 
     @staticmethod
     def points(striker, time):
-        """Points of it, of a solid its middle last."""
+        """Returns the striker's vertices; for a solid followed by its middle."""
         corner = striker.motion.at(time)
         return corner if striker.is_sheet else numpy.vstack([corner, corner.mean(axis=0)])
 
@@ -127,7 +127,7 @@ class Seen:
         return next((s for s in moving if s.name != self.blow.struck), moving[0])
 
     def shows_less_than(self, finer):
-        """Whether hardly anything was felt of a blow that finer steps feel."""
+        """Returns whether this run has hardly any of the effect that the run with finer steps has."""
         felt = finer.shoved > FELT * self.blow.speed
         return bool(felt.any() and (self.shoved < MISSED * finer.shoved)[felt].all())
 

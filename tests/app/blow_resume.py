@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """blow_resume SHERD [--blows N] [--first SEED] [--jobs N] [--seed SEED [--keep DIR]]: random sheets that crack under
-bodies, most in steps of "auto", many in steps that are halved. Each runs once as a whole, and once in parts: until a
-time and on from there, or killed and resumed, with another number of threads. Neither crashes, and both recordings have
-the same bits. Exit code 1: they do not."""
+the impact of bodies, most with the scheme "auto", many in steps that are halved. Each runs once as a whole, and once in
+two parts: stopped at a time or killed, and resumed with another number of threads. Neither run may crash, and both
+recordings must be bitwise equal. Exit code 1: a run crashed, or recordings differ."""
 import os
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 import argparse  # noqa: E402
@@ -29,7 +29,7 @@ FRAGILE = ["glass", "stoneware", "porcelain", "eggshell", "pmma", "plaster"]
 
 
 def sheet(chance, size):
-    """Words of a sheet that cracks."""
+    """Returns scene text of a sheet that cracks."""
     edge = size * chance.uniform(0.08, 0.16)
     shape = chance.choice(["rectangle", "disc", "bowl", "sphere"])
     extent = f"width = {size:.6g}, height = {size:.6g}" if shape == "rectangle" else f"radius = {size / 2:.6g}"
@@ -47,7 +47,7 @@ def sheet(chance, size):
 
 
 def body(chance, number, size, speed, height):
-    """Words of a free body that flies down from this height, its files, and how far it reaches up."""
+    """Returns scene text of a free body that flies down from this height, its files, and the height of the next (m)."""
     kind = chance.choice(["sphere", "sphere", "box", "rod", "mesh"])
     large = size * chance.between(0.08, 0.3)
     shape = striker_shape(chance, large, kind)
@@ -61,7 +61,7 @@ def body(chance, number, size, speed, height):
 
 
 def solver(chance, steps):
-    """Words of the solver, and what it takes for a step (s)."""
+    """Returns scene text of the solver, and the length of a step (s)."""
     scheme = chance.choice(["auto"] * 6 + ["implicit-euler", "bdf2", "explicit", "explicit"])
     step = chance.between(2e-6, 1e-5) if scheme == "explicit" else chance.between(2e-5, 2e-4)
     lines = ["[solver]", f'scheme = "{scheme}"', f"step = {step:.6g}"]
@@ -73,7 +73,7 @@ def solver(chance, steps):
 
 
 def scene(seed):
-    """The text of a scene, its files, and its duration (s)."""
+    """Returns the text of a scene, its files, its duration (s), and the random generator."""
     chance = Chance(seed)
     size, steps = chance.between(0.03, 0.3), chance.randint(10, 24)
     end, step = solver(chance, steps)
@@ -105,13 +105,13 @@ class Runs:
                 str(self.threads), *words]
 
     def call(self, recording, *words):
-        """Exit code, and the error's words."""
+        """Runs the program; returns its exit code and the lines of errors."""
         done = subprocess.run(self.command(recording, *words), capture_output=True, text=True, check=False,
                               preexec_fn=lambda: limit(MEMORY, PATIENCE))
         return done.returncode, [line for line in done.stderr.splitlines() if "error" in line]
 
     def stop(self, recording):
-        """Begins a run that does not come to its end. Returns the exit code, of one that was killed 0."""
+        """Runs a part of the scene, until a time or a kill. Returns the exit code, 0 for a killed run."""
         self.threads = self.chance.choice([1, 2])
         if self.chance.random() < 0.6:
             until = self.duration * self.chance.uniform(0.05, 0.95)
@@ -125,7 +125,7 @@ class Runs:
             return 0
 
     def judged(self):
-        """What is wrong, in words, and what the whole run had."""
+        """Returns descriptions of failures, and the features of the whole run (see content())."""
         code, words = self.call("whole.h5", "--force")
         if code not in (0, 1) or (code == 1 and not words):
             return [f"ended with {code}: {words}"], []

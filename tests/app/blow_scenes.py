@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Random blows: scenes in which something strikes a sheet, each made of its seed alone. A scene has at most 300 faces
-and 20 steps. `Blow` says what the judge has to know of it and cannot read in the recording."""
+"""Random impacts: scenes in which something strikes a sheet, each determined by its seed. A scene has at most 300 faces
+and 20 steps. `Blow` has the data that the checks need and the recording lacks."""
 import dataclasses
 import math
 
@@ -15,8 +15,9 @@ SCHEMES = ["implicit-euler"] * 4 + ["bdf2"] * 2 + ["explicit"] * 2 + ["auto"] * 
 
 @dataclasses.dataclass
 class Blow:
-    """A scene, and what is known of it. struck: the sheet that must not be passed, or None where no side is known;
-    border: what closes it: "pinned" by its own rim, which rests, "closed", or "large" against the way."""
+    """A scene, and data for its checks. struck: the sheet that nothing may pass through, or None where its sides are
+    not known; border: why they are known: "pinned": the boundary is at rest, "closed": there is no boundary, or
+    "large": the sheet is large compared with the path."""
     seed: int
     kind: str
     scheme: str
@@ -27,8 +28,8 @@ class Blow:
     files: dict = dataclasses.field(default_factory=dict)
     struck: str | None = None
     border: str | None = None
-    solids: dict = dataclasses.field(default_factory=dict)  # of obstacles, by name: vertices as placed, triangles
-    turns: dict = dataclasses.field(default_factory=dict)  # of obstacles with keys, by name: blow_parts.Keys
+    solids: dict = dataclasses.field(default_factory=dict)  # obstacles by name: vertices as placed, triangles
+    turns: dict = dataclasses.field(default_factory=dict)  # blow_parts.Keys of obstacles that have keys, by name
 
 
 def scene_text(chance, much, bodies):
@@ -47,7 +48,7 @@ def made(seed, kind, much, text, **known):
 
 
 def keyed(chance, struck, much, size, at, tilt, gap):
-    """A motion into the target, as far as it can give way. size: of the striker, if it turns, else None."""
+    """Returns a motion into the target, as far as that can yield. size: the striker's if it rotates, else None."""
     way = much.path
     if struck.border == "pinned":
         way = min(way, gap + much.size * chance.between(0.02, 0.25))
@@ -57,7 +58,7 @@ def keyed(chance, struck, much, size, at, tilt, gap):
 
 
 def striker(chance, struck, shape, much, motion):
-    """Words of a striker that comes from outside, its solid as placed, and its keys if it has any."""
+    """Returns scene text of a striker that comes from outside, its solid as placed, and its keys or None."""
     axis, degrees = chance.direction(), chance.uniform(0, 180)
     corner = shape.solid[0] @ turned(axis, degrees).T
     tilt = struck.normal + 0.3 * chance.random() * chance.direction()
@@ -82,7 +83,7 @@ def striker(chance, struck, shape, much, motion):
 
 
 def obstacle_blow(chance, seed, scheme):
-    """A striker of any kind on a sheet of any kind."""
+    """Returns the impact of a striker of any kind on a sheet of any kind."""
     how = chance.choice(["pinned"] * 3 + ["closed", "large", "free"] * 2 + ["spinning", "tube", "bowl"])
     much = pace(chance, scheme, how)
     struck = target(chance, much, how)
@@ -98,7 +99,7 @@ def obstacle_blow(chance, seed, scheme):
 
 
 def sheet_blow(chance, seed, scheme):
-    """A flat sheet that flies at another sheet."""
+    """Returns the impact of a flat sheet on another sheet."""
     how = chance.choice(["pinned", "pinned", "closed", "large", "free", "tube"])
     much = pace(chance, scheme, how)
     struck = target(chance, much, how)
@@ -119,7 +120,7 @@ def sheet_blow(chance, seed, scheme):
 
 
 def fold_blow(chance, seed, scheme):
-    """A strip, one end of which is turned over onto the other one, or, where steps are long, beyond."""
+    """Returns the scene of a strip whose one end is folded over onto the other, or, where steps are long, beyond it."""
     much = pace(chance, scheme, "folded", thickest=0.01)
     size, degrees = much.size, chance.uniform(90, 170)
     much.steps = max(much.steps, 5)
@@ -137,7 +138,7 @@ def fold_blow(chance, seed, scheme):
 
 
 def crush_blow(chance, seed, scheme):
-    """A tube or a sphere on an anvil, which a hammer presses until it folds and meets itself."""
+    """Returns the scene of a tube or sphere on an anvil, which a hammer presses until it folds and touches itself."""
     much = pace(chance, scheme, "crushed", thickest=0.01)
     size, closed = much.size, chance.random() < 0.5
     edge = size * chance.uniform(0.2, 0.28)

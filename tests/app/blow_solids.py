@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Solids that strike, for blow_scenes.py: vertices [V, 3] and triangles [F, 3] around the origin, and as files."""
+"""Solids of strikers, for blow_scenes.py: vertices [V, 3] and triangles [F, 3] about the origin, and their files."""
 import math
 
 import numpy
 
 
 def closed_box(size):
-    """Vertices and triangles of a box around the origin."""
+    """Returns vertices and triangles of a box about the origin."""
     corner = numpy.array([[x, y, z] for x in (-.5, .5) for y in (-.5, .5) for z in (-.5, .5)]) * size
     sides = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
     return corner, numpy.array([t for a, b, c, d in sides for t in ((a, b, c), (a, c, d))])
@@ -18,7 +18,7 @@ def octahedron(radius):
 
 
 def ball(radius):
-    """Within a sphere: an octahedron whose triangles were divided twice."""
+    """Returns a polyhedron inscribed in a sphere: an octahedron whose triangles are divided twice."""
     corner, faces = octahedron(1.)
     for _ in range(2):
         corner, middles, divided = list(corner), {}, []
@@ -38,7 +38,7 @@ def ball(radius):
 
 
 def prism(radius, length, sides):
-    """About the z axis, around the origin."""
+    """Returns a prism along the z axis, about the origin."""
     angle = 2 * math.pi * numpy.arange(sides) / sides
     ring = numpy.stack([radius * numpy.cos(angle), radius * numpy.sin(angle)], axis=1)
     corner = numpy.vstack([numpy.column_stack([ring, numpy.full(sides, z)]) for z in (-length / 2, length / 2)]
@@ -52,7 +52,7 @@ def prism(radius, length, sides):
 
 
 def turned(axis, degrees):
-    """The matrix of a rotation."""
+    """Returns the matrix of a rotation."""
     axis = numpy.asarray(axis, float)
     axis = axis / numpy.linalg.norm(axis)
     angle = math.radians(degrees)

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""blow_steps.py SCENE RECORDING: runs a scene from Python and records each step that is made, for blow_recording.py.
-A recording of the program has frames at the ends of the scene's steps only: parts of halved steps, and the short steps
-of "auto", are between them."""
+"""blow_steps.py SCENE RECORDING: runs a scene from Python and records each single step, for blow_recording.py. The
+program's recordings have frames only at the ends of the scene's steps, not of the parts of halved steps and of the
+short steps of "auto" in between."""
 import sys
 
 import h5py

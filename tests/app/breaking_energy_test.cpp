@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What comes off in explicit steps, a single face perhaps, must not swing faster than the substep allows: its
+// Fragments of explicit steps, even single faces, must not vibrate faster than the substep allows: their
 // energy would grow without bound within a step, and throw everything about.
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What `sherd check` says of scenes that can be run, but should not be.
+// Warnings of `sherd check` about scenes that can run, but are implausible.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ material = { preset = "stoneware" }
 plane = {}
 )";
 
-/// The warnings of a scene's text, in lines.
+/// Warnings about a scene's text, one in each line.
 std::string warnings_of(const std::string& text, const SceneChoice& choice = {}) {
     const Scene scene = parse_scene(text, "scene.toml", choice);
     std::vector<std::string> ignored, warnings;
@@ -51,13 +51,13 @@ TEST(Plausibility, SaysNothingOfWhatIsMeant) {
     EXPECT_EQ(with({"sheet.disc.fracture.strength=2e7", "sheet.disc.material.young=2e6"}), "") << "rubber";
 }
 
-// Another unit makes another material, a thousand times too stiff or too heavy.
+// A wrong unit gives another material, a thousand times too stiff or too heavy.
 TEST(Plausibility, AMaterialInOtherUnitsIsTold) {
     EXPECT_NE(with({"sheet.disc.material.young=70"}).find("so slow; young is in Pa"), std::string::npos);
     EXPECT_NE(with({"sheet.disc.material.density=2.4"}).find("so fast; young is in Pa"), std::string::npos);
 }
 
-// A peak that is lost to the step is taken for a sheet that does not break.
+// If the step hides a peak, a sheet seems not to fracture.
 TEST(Plausibility, AStepThatIsLongForTheSlowestVibrationIsTold) {
     EXPECT_EQ(with({"sheet.disc.fracture.strain=0.4", "solver.step=1.7e-4"}), "");
     EXPECT_NE(with({"sheet.disc.fracture.strain=0.4", "solver.step=2e-4"}).find("long even for"),
@@ -86,7 +86,7 @@ material = { preset = "porcelain" }
     EXPECT_FALSE(contains(scaled.out, "warning")) << scaled.out;
 }
 
-// Cracks have nowhere to go in a sheet that is one polygon, and what comes of it is taken for a prediction.
+// Cracks have no path in a sheet that is one polygon, and the result would be taken for a prediction.
 TEST(Plausibility, MeshesTooCoarseToBreakAreTold) {
     const TemporaryDirectory directory;
     directory.write("square.obj", "v 0 0 0\nv 0.2 0 0\nv 0.2 0.2 0\nv 0 0.2 0\nf 1 2 3 4\n");
@@ -114,7 +114,7 @@ TEST(Plausibility, StrengthsInTheWrongUnitAreTold) {
     }
 }
 
-// A mean hides a part of the mesh that is too fine.
+// A mean would hide a part of the mesh that is too fine.
 TEST(Plausibility, EdgesShorterThanTheThicknessAreTold) {
     const TemporaryDirectory directory;
     std::string strip;
@@ -138,7 +138,7 @@ TEST(Plausibility, EdgesShorterThanTheThicknessAreTold) {
     EXPECT_FALSE(contains(thin.out, "shorter than it is thick")) << thin.out;
 }
 
-// Newton's corrections would never get below the steps of positions there, and tolerances would be blamed.
+// Newton's corrections would never fall below the spacing of positions there, and tolerances would be blamed.
 TEST(Plausibility, PlacesWhereDigitsRunOutAreTold) {
     EXPECT_EQ(with({"sheet.disc.place.translate=[1e5, 0, 0.05]"}), "");
     EXPECT_NE(with({"sheet.disc.place.translate=[1e9, 0, 0.05]", "obstacle={}"})
@@ -170,7 +170,7 @@ TEST(Plausibility, ObstaclesOutOfReachAreTold) {
         << "it is moved there";
     EXPECT_TRUE(contains(with({ball + "keys=[{time=0},{time=0.02,translate=[0.4,0,0]}]}", "duration=0.01"}),
                          "nothing can reach obstacle.ball"));
-    // What has met something, is held or blown may go anywhere.
+    // Sheets after a collision, with supports or in wind may go anywhere.
     const std::string wall = "obstacle.wall={plane={point=[-0.15,0,0],normal=[1,0,0]}}";
     EXPECT_TRUE(contains(with({wall, "duration=0.02"}), "nothing can reach obstacle.wall"));
     EXPECT_EQ(with({wall, "duration=0.2"}), "") << "shards fly";
@@ -182,7 +182,7 @@ TEST(Plausibility, ObstaclesOutOfReachAreTold) {
         with({"sheet.disc.velocity=[0,0,0]", "force.gravity=[0,0,0]", "force.wind={velocity=[0,0,-9]}"}), "");
 }
 
-// A membrane that locks makes a curved sheet too stiff and its stress wrong, and nothing else tells.
+// A membrane that locks makes a curved sheet too stiff and its stress wrong, without any other sign.
 TEST(Plausibility, CoarseCurvedSheetsThatLockAreTold) {
     const auto tube = [](const std::vector<std::string>& overrides) {
         std::vector<std::string> all{
@@ -201,7 +201,7 @@ TEST(Plausibility, CoarseCurvedSheetsThatLockAreTold) {
     EXPECT_EQ(tube({"sheet.disc.material.thickness=0.005"}), "");
 }
 
-// A warning that is wrong teaches people to read none.
+// Users ignore warnings when some are wrong.
 class ShippedScene : public testing::TestWithParam<std::string> {};
 
 TEST_P(ShippedScene, HasNothingImplausible) {
@@ -235,7 +235,7 @@ INSTANTIATE_TEST_SUITE_P(
         return name;
     });
 
-// All sheets are tested together, and still the user must hear which one it is.
+// All sheets are tested together, but the message must name the sheet.
 TEST(Check, NamesTheSheetThatDoesNotHoldItsShape) {
     const TemporaryDirectory directory;
     const auto sheet = [](const std::string& name, const std::string& height, const std::string& thickness) {
@@ -295,7 +295,7 @@ TEST(Check, FramesAndSizeAreThoseOfTheRun) {
     }
 }
 
-// A pane of 1 m bears its weight at rest, at 2.4 of 3 MPa, and breaks when it is put on at once.
+// A pane of 1 m bears its weight at rest, at 2.4 of 3 MPa, but fractures when the weight is applied at once.
 TEST(Check, TellsThatWeightAloneBreaksAPane) {
     const TemporaryDirectory directory;
     directory.write("scene.toml", R"(duration = 0.06
@@ -327,7 +327,7 @@ TEST(Check, WarnsOfMoreThanADay) {
     EXPECT_TRUE(contains(result.out, "warning: scene.toml: will take more than a day, about ")) << result.out;
 }
 
-// They would be lost above a screen full of sheets and variants.
+// Before a screen full of sheets and variants they would be lost.
 TEST(Check, WarningsAndMistakesComeLast) {
     const TemporaryDirectory directory;
     directory.write("scene.toml", disc + R"(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An order or a limit that is made up would be believed more than the result itself.
+// Users would trust a made-up order or limit more than the result itself.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -71,7 +71,7 @@ Quantity quantity(const Outcome& outcome, const std::string& name) {
     return *found;
 }
 
-// The displacement, which a gauge of stress does not record, was told in its place, as 0 m.
+// A gauge of stress records no displacement, which was once reported in its place, as 0 m.
 TEST(Outcome, OfAGaugeOfStressIsItsComponentsAndThePrincipalOneInPascal) {
     std::string text = strip;
     text.replace(text.find("at = [1, 0.125, 0]"), 18, "at = [0.51, 0.13, 0]\nrecord = [\"stress\"]");
@@ -81,7 +81,7 @@ TEST(Outcome, OfAGaugeOfStressIsItsComponentsAndThePrincipalOneInPascal) {
     const Quantity principal = quantity(result, "tip, principal stress, at the end");
     EXPECT_EQ(principal.unit, "Pa");
     EXPECT_EQ(quantity(result, "tip, principal stress, largest").value, principal.value) << "the load grows";
-    // 3 q (L - x)^2 / t^2 with q = 0.1 Pa, on the side that is pulled; a face is as long as 0.06 L.
+    // 3 q (L - x)^2 / t^2 with q = 0.1 Pa, on the tensile side; a face is as long as 0.06 L
     EXPECT_NEAR(principal.value, 3 * 0.1 * 0.49 * 0.49 / 1e-4, 0.3 * 720);
 }
 

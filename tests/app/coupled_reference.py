@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The energies of coupled hinges and of arcs a second time, sharing no code and no formulas with the program: patches of
-triangles are unfolded into the plane point by point, quadratic surfaces are laid over them, and what their facets do is
-measured."""
+"""Reference energies of coupled hinges and of arcs, which share no code and no formulas with the program: patches of
+triangles are unfolded into the plane point by point, and the slopes and angles of their facets are evaluated on
+quadratic surfaces."""
 import numpy as np
 
 SEES_WELL, SEES_HARDLY = 0.2, 0.05  # documented in core/bending/README.md
@@ -10,7 +10,7 @@ SLOPES = [lambda p: np.array([p[0], 0]), lambda p: np.array([0, p[1]]), lambda p
 
 
 def flat_apex(points, a, b, rest, c):
-    """Where c lies in the plane, to the left of a -> b, which lie at points[a], points[b]."""
+    """Returns the place of c in the plane, to the left of a -> b, which lie at points[a], points[b]."""
     along, side = rest[b] - rest[a], rest[c] - rest[a]
     length = np.linalg.norm(along)
     x, y = side @ along / length, np.linalg.norm(np.cross(along, side)) / length
@@ -29,8 +29,9 @@ def outward(points, a, b):
 
 
 class Patches:
-    """rest: [V, 3]; faces: [F][3]; stencils: of the hinges, x0, x1, x2, x3; angle: of stencils' positions. Hinges that
-    are turned by more than `sharpest` at rest are none."""
+    """Unfolded patches of triangles. rest: [V, 3] m; faces: [F, 3]; stencils: [H, 4], x0, x1, x2, x3 of the hinges;
+    angle: function of the stencils' positions. Hinges whose rest angle exceeds `sharpest` in absolute value are left
+    out."""
 
     def __init__(self, rest, faces, stencils, angle, sharpest=np.inf):
         self.rest, self.faces, self.stencils, self.angle_of = rest, [tuple(f) for f in faces.tolist()], stencils, angle
@@ -49,14 +50,14 @@ class Patches:
         return (a, b), (b, c), (c, a)
 
     def laid(self, face):
-        """The face in the plane, its first side along x."""
+        """Returns the corners of a face in the plane, with its first side along x."""
         a, b, c = self.faces[face]
         points = {a: np.zeros(2), b: np.array([np.linalg.norm(self.rest[b] - self.rest[a]), 0.0])}
         points[c] = flat_apex(points, a, b, self.rest, c)
         return points
 
     def unfolded(self, points, a, b):
-        """The face beyond the side a -> b of one that lies at `points`, and where it lies."""
+        """Returns the face beyond the side a -> b of a face at `points`, and its corners in the same plane."""
         face = self.face_at[b, a]
         c = next(v for v in self.faces[face] if v not in (a, b))
         there = {a: points[a], b: points[b]}
@@ -70,7 +71,7 @@ class Patches:
         return patch + [(face, points) for face, points in around if face not in inner]
 
     def bends(self, patch):
-        """Of every hinge of a patch: the angles that the three surfaces give it, as its triangles see it in the mean."""
+        """Returns for every hinge of a patch its angles on the three surfaces, averaged over its unfoldings."""
         found = {}
         for face, points in patch:
             for a, b in self.sides(self.faces[face]):
@@ -85,19 +86,20 @@ class Patches:
 
     @staticmethod
     def square(bends):
-        """[3, n] with n at least 3: columns of zeros stand for hinges that are missing."""
+        """Returns the bends as columns, [3, n] with n at least 3: columns of zeros replace missing hinges."""
         columns = np.array(list(bends.values())).T
         return np.hstack([columns, np.zeros((3, max(0, 3 - columns.shape[1])))])
 
     def seen(self, patch, length):
-        """bends() of a patch that tells curvatures from each other, grown if it has to."""
+        """Returns bends() of the patch, or of grown(patch) if its hinges do not determine the curvature well."""
         bends = self.bends(patch)
         if not bends or np.linalg.svd(self.square(bends) / length, compute_uv=False)[2] < SEES_WELL:
             bends = self.bends(self.grown(patch))
         return bends
 
     def corrected(self, bends, weights, target, length):
-        """{hinge: weight}: the smallest change of weights that makes their sum of bends the target, as far as seen."""
+        """Returns {hinge: weight}: weights with the smallest change that makes the weighted sum of bends equal to the
+        target, within the curvatures that the hinges determine."""
         u, s, v = np.linalg.svd(self.square(bends) / length, full_matrices=False)
         missing = u.T @ (target / length - self.square(bends)[:, :len(bends)] / length @ weights)
         inverse = np.array([1 / x if x > SEES_HARDLY else 0.0 for x in s])
@@ -113,7 +115,7 @@ class CoupledHinges(Patches):
         self.energy_of = lambda curvature: h * constants.membrane(curvature)
 
     def shares_of(self, hinge):
-        """{hinge: weight} of the angle between the facet on the left of x0 -> x1 and the tangent at the edge."""
+        """Returns {hinge: weight} of the angle between the facet left of x0 -> x1 and the tangent at the edge."""
         a, b, c, d = self.stencils[hinge].tolist()
         points = self.laid(self.face_at[a, b])
         length = np.linalg.norm(points[b] - points[a])
@@ -128,7 +130,7 @@ class CoupledHinges(Patches):
         return self.corrected(bends, weights, target, length)
 
     def terms_of(self, face, axis, constants):
-        """{hinge: curvature [2, 2] in the material axes for a radian of its angle}."""
+        """Returns the face's area and {hinge: curvature [2, 2] in the material axes for a radian of its angle}."""
         points = self.laid(face)
         a, b, c = self.faces[face]
         first = (self.rest[b] - self.rest[a]) / np.linalg.norm(self.rest[b] - self.rest[a])
@@ -151,7 +153,7 @@ class CoupledHinges(Patches):
             for other, weight in weights.items():
                 known[other] = known.get(other, 0) + weight * part
 
-        def product(one, other):  # of the energy's quadratic form
+        def product(one, other):  # inner product by the energy's quadratic form
             both, difference = constants.membrane((one + other)[None]), constants.membrane((one - other)[None])
             return float(both[0] - difference[0]) / 4
 
@@ -170,7 +172,8 @@ class CoupledHinges(Patches):
         return change - 2 * np.pi * np.round(change / (2 * np.pi))
 
     def energy_and_moments(self, x):
-        """Of each face its energy; of each hinge the derivative by its angle, and the sum of its parts' sizes."""
+        """Returns the energy of each face, and for each hinge the derivative by its angle and the sum of the absolute
+        values of its terms."""
         changes, energies = self.changes(x), []
         moments, sizes = np.zeros(len(changes)), np.zeros(len(changes))
         for area, terms in self.terms:
@@ -184,8 +187,8 @@ class CoupledHinges(Patches):
 
 
 class Arcs(Patches):
-    """Membrane triangles whose sides are arcs. Unknowns of a face are its corners and, as a fourth row, the curvature
-    along the sides opposite to them: [F, 4, 3], which may be complex."""
+    """Membrane triangles whose sides are arcs. Unknowns of a face are its corners and, as a fourth row, the curvatures
+    along the sides opposite to them: [F, 4, 3], real or complex."""
 
     def __init__(self, rest, faces, stencils, axes, constants, angle):
         super().__init__(rest, faces, stencils, angle, sharpest=np.pi / 4)
@@ -195,7 +198,7 @@ class Arcs(Patches):
         sides, others = self.sides_of(rest[faces]), np.cross(axes, np.cross(axes, self.sides_of(rest[faces])[:, 0]))
         others = -others / np.linalg.norm(others, axis=1)[:, None]
         u, v = (np.sum(sides * frame[:, None], axis=-1) for frame in (axes, others))
-        self.squares_of_strain = 2 * np.stack([u * u, v * v, 2 * u * v], axis=-1)  # of E00, E11, E01
+        self.squares_of_strain = 2 * np.stack([u * u, v * v, 2 * u * v], axis=-1)  # coefficients of E00, E11, E01
         self.areas = np.abs(u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]) / 2
         self.rest_squares = np.sum(sides**2, axis=-1)
         self.at_rest = self.unknowns(rest)
@@ -205,7 +208,7 @@ class Arcs(Patches):
         return np.stack([x[:, 2] - x[:, 1], x[:, 0] - x[:, 2], x[:, 1] - x[:, 0]], axis=1)
 
     def weights_of(self, face, a, b):
-        """{hinge: weight} of the curvature along a side."""
+        """Returns {hinge: weight} of the curvature along a side."""
         points = self.laid(face)
         length = np.linalg.norm(points[b] - points[a])
         patch = [(face, points)] + ([self.unfolded(points, a, b)] if (a, b) in self.hinge_at else [])
@@ -224,14 +227,14 @@ class Arcs(Patches):
         return np.sum(self.sides_of(y[:, :3]) ** 2, axis=-1) * (1 + self.rest_squares * y[:, 3] ** 2 / 12)
 
     def energy(self, y):
-        """Of each face."""
+        """Returns the energy of each face."""
         strain = np.linalg.solve(self.squares_of_strain, (self.squares(y) - self.squares(self.at_rest))[..., None])
         e00, e11, e01 = np.moveaxis(strain[..., 0], 1, 0)
         tensor = np.stack([np.stack([e00, e01], axis=-1), np.stack([e01, e11], axis=-1)], axis=1)
         return self.areas * self.constants.membrane(tensor)
 
     def moments(self, by_curvature):
-        """Of each hinge the derivative by its angle, and the sum of its parts' sizes."""
+        """Returns for each hinge the derivative by its angle and the sum of the absolute values of its terms."""
         moments, sizes = np.zeros(len(self.stencils)), np.zeros(len(self.stencils))
         for slopes, sides in zip(by_curvature, self.weights):
             for slope, weights in zip(slopes, sides):

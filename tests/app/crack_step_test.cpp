@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What `sherd check` and the table of a run say of the step that resolves cracks. Without it nobody knows
-// that a crack of implicit steps has crossed the sheet within one of them.
+// Messages of `sherd check` and of a run's table about the step that resolves cracks. Without them a user
+// would not notice that a crack has crossed the sheet within one implicit step.
 #include <gtest/gtest.h>
 
 #include "tests/support/program.h"
@@ -9,7 +9,7 @@
 namespace sherd::test {
 namespace {
 
-/// A notched strip, pulled apart: edges of 8 mm, and 750 m/s at most, make 1.07e-5 s.
+/// Notched strip, pulled apart: edges of 8 mm, and at most 750 m/s, give 1.07e-5 s.
 const std::string notched_strip = R"(duration = 4e-4
 [sheet.strip]
 mesh = { generate = "rectangle", width = 0.1, height = 0.06, edge_length = 0.008 }
@@ -29,7 +29,7 @@ gravity = [0, 0, 0]
 step = 4e-5
 )";
 
-/// The line that the program says of how cracks run; empty where it says none.
+/// Line of the program about the propagation of cracks; empty if there is none.
 std::string words_of_cracks(std::vector<std::string> arguments, const std::vector<std::string>& sets,
                             const std::string& scene = notched_strip) {
     const TemporaryDirectory directory;
@@ -62,7 +62,7 @@ TEST(CrackStep, StaticsHaveNone) {
     EXPECT_EQ(checked_strip({"solver.scheme=static", "solver.step=0.5"}, timeless), "");
 }
 
-// Explicit steps judge once: what is too long there holds cracks back.
+// Explicit steps evaluate cracks once: too long ones hold cracks back.
 TEST(CrackStep, ExplicitStepsAreToldWhereTheyHoldCracksBack) {
     EXPECT_EQ(checked_strip({"solver.scheme=explicit", "solver.step=2e-6"}), "");
     EXPECT_EQ(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The fields of theory that load the rims of experiments: one that did not balance, or had another crack,
+// Theoretical fields that load the rims of experiments: a field without equilibrium, or of another crack,
 // would make every table wrong.
 #include "app/bench/cracked_fields.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double half_crack = 0.7, tiny = 1e-6, apart = 1e-5;
 
-/// The divergence of a field of symmetric tensors, by central differences.
+/// Divergence of a field of symmetric tensors, by central differences.
 template <class Field>
 Vector2d divergence(const Field& field, const Vector2d& at) {
     Vector2d sum = Vector2d::Zero();
@@ -58,7 +58,7 @@ TEST(CrackedFields, BentPlateBalancesAndIsBentFarAway) {
     EXPECT_LT((plate.moments({300, 400}) - far).norm(), 1e-5);
 }
 
-// Lips bear no moment and no force: q_y + d m_xy / dx = 0.
+// Crack faces bear no moment and no force: q_y + d m_xy / dx = 0.
 TEST(CrackedFields, BentPlateHasFreeLipsAndItsFactor) {
     const CrackedPlate plate(half_crack, 0.3);
     const Vector2d lip(0.3, tiny), h(apart, 0);

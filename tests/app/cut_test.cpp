@@ -44,7 +44,7 @@ Mesh read(const std::filesystem::path& file) {
     return read_mesh(file, {.repair = Repair::all}, warnings);
 }
 
-/// Cuts random edges of `mesh` by the program and holds every corner of the outcome against the rule.
+/// Cuts random edges of `mesh` by the program and compares every corner of the result with the rule.
 void expect_rule_on(const std::filesystem::path& mesh_file, unsigned percent,
                     const std::filesystem::path& folder) {
     const Mesh mesh = read(mesh_file);
@@ -98,7 +98,7 @@ TEST_F(Cut, CountsWhatItDid) {
     EXPECT_EQ(json, expected);
 }
 
-// Closed, with a hole, of genus one; few cracks that end inside, and nearly everything broken.
+// Surfaces that are closed, with a hole, of genus one; from few cracks that end inside to nearly all edges.
 TEST_F(Cut, FollowsTheCornerRuleOnAnySurface) {
     for (const bool wrap : {false, true})
         for (const unsigned percent : {5u, 30u, 70u, 100u}) {
@@ -107,7 +107,7 @@ TEST_F(Cut, FollowsTheCornerRuleOnAnySurface) {
         }
 }
 
-/// Every triangle cut into four at the middles of its sides, as often as it takes to have `faces`.
+/// Mesh with every triangle divided into four at the midpoints of its sides, until it has `faces` of them.
 TriangleSheet subdivided(const Mesh& mesh, std::size_t faces) {
     TriangleSheet sheet;
     sheet.points = triangle_sheet(mesh).points;
@@ -132,7 +132,7 @@ TriangleSheet subdivided(const Mesh& mesh, std::size_t faces) {
     return sheet;
 }
 
-// Meshes that nobody here made: they stand beside the project where there are any.
+// Meshes from elsewhere: used if they are present beside the project.
 TEST_F(Cut, FollowsTheCornerRuleOnRealMeshes) {
     const std::filesystem::path folder = std::filesystem::path(SHERD_SCENES) / "../../shared/data";
     if (!std::filesystem::exists(folder)) {
@@ -179,7 +179,7 @@ TEST_F(Cut, TakesListsFromAnyEditor) {
     }
 }
 
-// What is not there, or is no file, has to be told from what is wrong in it.
+// A missing file, or a path that is no file, must give another message than faults in its content.
 TEST_F(Cut, NamesAFileThatItCannotRead) {
     const auto expect_named = [&](const std::string& name) {
         const auto result = cut();
@@ -194,9 +194,7 @@ TEST_F(Cut, NamesAFileThatItCannotRead) {
     expect_named("edges.txt");
 }
 
-// --force is for old results, never for what the command reads.
-// There is no scene here to write a key into.
-// Parts that an export has left a micrometre apart would open where nobody asked for it.
+// Parts that an export has left a micrometre apart would open without being listed.
 TEST_F(Cut, JoinsWhatIsNearEnough) {
     write("mesh.obj",
           "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1.000001 0 0\nv 2 0 0\nv 2 1 0\nv 1.000001 1 0\n"
@@ -212,6 +210,7 @@ TEST_F(Cut, JoinsWhatIsNearEnough) {
     EXPECT_EQ(cut({"--join-within", "nan"}).exit_code, 2);
 }
 
+// A cut has no scene to write a key into.
 TEST_F(Cut, AdvisesItsOwnOptions) {
     write("edges.txt", "0 1\n");
     write("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nf 1 2 3\nf 1 2 4\n");
@@ -222,6 +221,7 @@ TEST_F(Cut, AdvisesItsOwnOptions) {
     EXPECT_EQ(result.err.find("repair = true"), std::string::npos);
 }
 
+// --force is for old results, never for the input of the command.
 TEST_F(Cut, NeverReplacesWhatItReads) {
     write_mesh(triangle_sheet(test::grid(2, 2)), directory.path / "mesh.obj");
     write("edges.txt", "1 4\n");
@@ -236,7 +236,7 @@ TEST_F(Cut, NeverReplacesWhatItReads) {
     EXPECT_EQ(directory.contents(), before);
 }
 
-/// Reads the outcome of a cut for the tests of what it keeps.
+/// Reads the result of a cut for the tests of preserved data.
 Mesh read_cut(const std::filesystem::path& file) {
     std::vector<std::string> warnings;
     Mesh mesh = read_mesh(file, {.join_advice = ""}, warnings);
@@ -244,8 +244,8 @@ Mesh read_cut(const std::filesystem::path& file) {
     return mesh;
 }
 
-// A textured mesh, with a seam, named parts and quads, must come out with all of it: same faces in the same
-// order, same first corners, each corner's point, texture and groups.
+// A textured mesh, with a seam, named parts and quads, must keep all of it: same faces in the same order,
+// same first corners, each corner's point, texture and groups.
 TEST_F(Cut, KeepsTextureGroupsAndOrder) {
     write("mesh.obj",
           "o left wing\nv 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0.1\nv 1 1 0\nv 2 1 0\n"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A run with an obstacle that deforms, through the real program: what is recorded of it, played, exported and
-// gone on with must be where the cache had it.
+// A run with a deforming obstacle, through the real program: in recordings, playback, exports and resumed
+// runs the obstacle must have the cache's shape.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A flap of two triangles, hinged along y, that is raised below a plate: half a turn in 0.1 s.
+/// Flap of two triangles, hinged along y, that is raised below a plate: a quarter turn in 0.1 s.
 Positions hinged_flap(double time) {
     const double angle = 0.5 * 3.14159265 * time / 0.1;
     Positions points(3, 4);
@@ -62,7 +62,7 @@ class DeformingRun : public ::testing::Test {
         const ProgramResult result = run_sherd(more, folder.path);
         ASSERT_EQ(result.exit_code, 0) << result.err;
     }
-    /// Where the points are at `time`, between samples on the straight way.
+    /// Points at `time`, linear between samples.
     static Positions expected(double time) {
         const double before = std::floor(time / 0.01 + 1e-9) * 0.01, share = (time - before) / 0.01;
         return hinged_flap(before) + share * (hinged_flap(before + 0.01) - hinged_flap(before));
@@ -101,7 +101,7 @@ TEST_F(DeformingRun, IsRecordedFrameByFrame) {
               std::string::npos);
 }
 
-// The flap throws the plate up, and what it did is in the balance.
+// The flap throws the plate up, and the balance must include its work.
 TEST_F(DeformingRun, PushesWhatItMeets) {
     for (const char* scheme : {"implicit-euler", "explicit", "auto"}) {
         run({"--force", "--set", std::string("solver.scheme=") + scheme});
@@ -177,7 +177,7 @@ TEST_F(DeformingRun, IsInThePage) {
     EXPECT_NEAR(points[8], expected(0.012)(2, 2), 1e-7);
 }
 
-// Pictures of two frames differ in the flap's part.
+// Pictures of two frames must differ in the flap.
 TEST_F(DeformingRun, IsDrawnAsItStands) {
     run();
     const Recording recording(folder.path / "scene.h5");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The balance of energy of whole runs with what no shipped scene has: every load, moving clamps, wind,
-// damping, bodies, statics. Were a force missing in it, its work would be left over.
+// Energy balance of whole runs with features that no shipped scene has: every load, moving clamps, wind,
+// damping, bodies, statics. The work of a force missing in it would remain as a residual.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 const std::filesystem::path frozen = std::filesystem::path(SHERD_SCENES) / ".." / "tests" / "frozen";
 
-/// The largest of the energies and of what `unexplained` is at any step, J.
+/// Largest of the energies, and largest energy residual of all steps, J.
 struct Extremes {
     double energy = 0, unexplained = 0;
 };
@@ -28,7 +28,7 @@ Extremes extremes(const std::vector<StepReport>& steps) {
     return found;
 }
 
-/// The steps of a run of the scene, whose balance closes.
+/// Runs the scene, expects a closed balance and returns the steps.
 std::vector<StepReport> balanced_run(const std::filesystem::path& scene, std::vector<std::string> options) {
     const test::TemporaryDirectory directory;
     options.insert(options.begin(), {"run", scene.string(), "-o", "run.h5"});
@@ -58,7 +58,7 @@ TEST(EnergyBalance, ClosesWithBodiesAndAnObstacleThatMoves) {
     EXPECT_GT(last.lost_to_cracks, 0);
 }
 
-// In statics loads store their work in the sheet, but for what a step of finite length errs.
+// In statics loads store their work in the sheet, except for the error of the finite step length.
 TEST(EnergyBalance, ClosesInStatics) {
     const test::TemporaryDirectory directory;
     const auto scene = directory.write("bent.toml", R"([sheet.strip]

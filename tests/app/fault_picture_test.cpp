@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `sherd check -o faults.ply`: a user who sees in MeshLab or Blender which faces are meant need not count
-// them.
+// `sherd check -o faults.ply` shows faults in MeshLab or Blender: otherwise a user has to count faces.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -25,7 +24,7 @@ using Rgb = std::array<int, 3>;
 constexpr Rgb grey{190, 190, 190}, red{220, 20, 20}, orange{255, 140, 0}, blue{0, 70, 220},
     violet{140, 40, 190}, yellow{240, 220, 0}, cyan{0, 170, 220};
 
-/// The colour of each face, read as MeshLab reads it, and required to be that of its corners.
+/// Colour of each face as MeshLab reads it; expects the same colour at its corners.
 std::vector<Rgb> face_colours(const TemporaryDirectory& directory, const std::string& name = "faults.ply") {
     const std::string bytes = directory.contents().at((directory.path / name).string());
     const PolygonSoup soup = parse_ply(name, bytes);
@@ -66,7 +65,7 @@ ProgramResult check(const TemporaryDirectory& directory, const std::string& scen
 
 const std::string strict = "contact.start = \"error\"\n";
 
-// "No face crosses another" stood above the error that the mesh is not there.
+// Beside the error about a missing mesh, "no face crosses another" was once printed.
 TEST(FaultPicture, SaysNothingOfTheFacesOfAMeshThatIsMissing) {
     const TemporaryDirectory directory;
     const ProgramResult result = check(directory, sheet("lost", "", "\"missing.obj\""));
@@ -127,7 +126,7 @@ TEST(FaultPicture, EachKindHasItsColour) {
     EXPECT_GT(book.at(grey), 0) << "the other sheet is missing";
 }
 
-// What is exempt keeps no scene from starting, but who made the mesh wants to see where it is.
+// Exempt pairs do not keep a scene from starting, but the author of the mesh needs their places.
 TEST(FaultPicture, WhatIsExemptIsDrawnToo) {
     const TemporaryDirectory directory;
     const ProgramResult result = check(directory, sheet("low", "") + sheet("high", upright));

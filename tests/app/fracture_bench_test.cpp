@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cracks that grow, and waves that break, beside theory, on the coarsest mesh of each experiment: were a tip
-// judged, turned or stopped wrongly, did a crack take more or less than its energy, or did bending waves run
-// too fast, the tables of fracture/README.md would be wrong.
+// Growing cracks and breaking waves against theory, on the coarsest mesh of each experiment: if tips were
+// evaluated, turned or arrested wrongly, cracks took a wrong energy, or bending waves were too fast, the
+// tables of fracture/README.md would be wrong.
 #include <gtest/gtest.h>
 
 #include "app/bench/fracture_run.h"
@@ -11,7 +11,7 @@ namespace {
 
 struct FractureBound {
     const char* name;
-    std::vector<double> bounds;  ///< of each number, from theory
+    std::vector<double> bounds;  ///< largest difference of each number from theory
 };
 
 class FractureBench : public testing::TestWithParam<FractureBound> {};
@@ -42,7 +42,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, FractureBench,
                                          FractureBound{"released strip", {0.03, 0.05}},
                                          FractureBound{"released strip with a scored line", {0.03, 1e-9}}));
 
-// Two random meshes must agree on where the crack runs.
+// Two random meshes must give the same crack path.
 TEST(FractureBenchPaths, OfTwoMeshesAreTheSame) {
     const FractureCase hole = offset_hole();
     const FractureRun one = run_fracture(hole, hole.edges.front(), 1),

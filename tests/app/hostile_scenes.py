@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""hostile_scenes [--short | --long] [--table] SHERD [NAME]...: scenes that a hurried or a malicious user might write
-(hostile_scenes_list.py), each run by the real program, as they are and with the other schemes that they name. What runs
-must end with finite numbers, a balance of energy and vertices in sight; what is refused must say what is wrong, and
-`sherd check` must refuse it, too. --short takes the first scheme of each, --long the long ones as well, or with
-SHERD_SHORT the other schemes of every fourth one; --table prints what became of each. Exit code 1: one of them did
-something else."""
+"""hostile_scenes [--short | --long] [--table] SHERD [NAME]...: runs scenes that a hurried or malicious user might write
+(hostile_scenes_list.py) with the real program, with each scheme that they name. A run must end with finite numbers,
+balanced energy and vertices within bounds; a refused scene needs a message that tells what is wrong, and `sherd check`
+must refuse it, too. --short takes the first scheme of each scene; --long adds the long scenes, or with SHERD_SHORT
+takes the other schemes of every fourth scene; --table prints the results as a table. Exit code 1: a scene did not end
+as required."""
 import argparse
 import os
 import pathlib
@@ -22,11 +22,11 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import hostile_scenes_list  # noqa: E402
 from limits import limit  # noqa: E402
 
-PATIENCE = 120  # s of processor time, after which a run hangs
-MEMORY = 4 << 30  # bytes that a run may ask for
-UNEXPLAINED = 1e-6  # of the largest energy
-# Of the largest energy, what a scheme may give. Springs of explicit contact begin and end within a substep, of 0.53 over
-# their frequency at most, and err by up to a quarter of its square.
+PATIENCE = 120  # s of processor time, after which a run counts as hanging
+MEMORY = 4 << 30  # bytes of address space of a run
+UNEXPLAINED = 1e-6  # energy residual over the largest energy
+# Largest energy gained by a scheme, over the largest energy. Explicit contact springs begin and end within a substep,
+# whose length times their frequency is at most 0.53; their error is up to a quarter of the square of that product.
 GAINED = {"implicit": 1e-6, "explicit": 0.07, "auto": 0.07}
 LOSSES = ["lost_to_friction", "lost_to_damping", "lost_to_cracks", "lost_to_remeshing", "lost_to_yield",
           "lost_to_scheme"]
@@ -42,7 +42,7 @@ def call(sherd, *words):
 
 
 def not_finite(file):
-    """Names of the datasets that hold a NaN or an infinity."""
+    """Returns the names of datasets that contain a NaN or an infinity."""
     bad = []
 
     def look(name, item):
@@ -53,7 +53,7 @@ def not_finite(file):
 
 
 def largest_energy(steps, start):
-    """The largest energy in play (J): stored, moving, or exchanged; at least that of a creep."""
+    """Returns the largest of the stored, kinetic and exchanged energies (J), at least that of the speed CREEP."""
     mass, speed = start["vertex/mass"][:], start["vertex/speed"][:]
     energy = [0.5 * (mass * speed ** 2).sum(), mass.sum() * CREEP ** 2, numpy.ptp(steps["gravity"][:])]
     energy += [numpy.abs(steps[name][:]).max() for name in STORED + WORK]
@@ -61,7 +61,7 @@ def largest_energy(steps, start):
 
 
 def faults(file, scene, scheme, code):
-    """What is wrong with a recording, in words. code: of the run."""
+    """Returns descriptions of what is wrong with a recording. code: exit code of the run."""
     found = [f"{name} is not finite" for name in not_finite(file)]
     frames = [file["frames"][name] for name in sorted(file["frames"])]
     farthest = max(numpy.abs(frame["vertex/position"][:]).max() for frame in frames)
@@ -100,7 +100,7 @@ def words_of(errors):
 
 
 def run(sherd, folder, scene, scheme):
-    """What is wrong, what happened in words, and the exit code."""
+    """Runs a scene with a scheme. Returns descriptions of failures, a summary of the result, and the exit code."""
     text = folder / "scene.toml"
     text.write_text(scene.text)
     for name, content in scene.files.items():
@@ -132,7 +132,7 @@ def run(sherd, folder, scene, scheme):
 
 
 def told(sherd, scene, schemes):
-    """Runs a scene with these schemes and prints a line of each. Returns [(scheme, faults, words, exit code)]."""
+    """Runs a scene with these schemes and prints a line for each. Returns [(scheme, faults, summary, exit code)]."""
     results = []
     for scheme in schemes:
         before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime

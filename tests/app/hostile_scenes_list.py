@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The scenes of hostile_scenes.py: `SCENES`, each with what it is and what must come of it."""
+"""The scenes of hostile_scenes.py: `SCENES`, each with its description and the required result."""
 import dataclasses
 import math
 import pathlib
@@ -13,8 +13,8 @@ ALL = ("implicit", "explicit", "auto")
 
 @dataclasses.dataclass
 class Refusal:
-    """How a scene ends that does not run to its end: by this exit code, and with these words. What fails on the way
-    (1) may also come to its end: which step is the last one hangs on rounding."""
+    """Required exit code and parts of the message of a scene that does not run to its end. A scene that fails in a step
+    (code 1) may also run to its end, because whether a step fails depends on rounding."""
     code: int
     words: tuple
 
@@ -32,14 +32,14 @@ class Scene:
     text: str
     files: dict = dataclasses.field(default_factory=dict)
     schemes: tuple = ("implicit",)
-    errors: dict = dataclasses.field(default_factory=dict)  # Refusal by scheme; "": with any
-    within: float = 10  # m from the origin, where all vertices stay
-    # Of the largest energy. More where steps are long or sheets light: what the tolerance of the solver leaves of forces
-    # works along the way of a step.
+    errors: dict = dataclasses.field(default_factory=dict)  # Refusal by scheme; "": all schemes
+    within: float = 10  # m, largest coordinate of vertices
+    # Largest energy residual over the largest energy. Larger where steps are long or sheets light: forces that are left
+    # within the solver's tolerance do work along a step.
     unexplained: float = 1e-6
-    gained: float = 0  # of the largest energy, that a scheme may give
-    fragments: tuple = ()  # least and most, at the end
-    holds: object = None  # of (file, frames): words of what is wrong, or nothing
+    gained: float = 0  # largest energy gained by a scheme, over the largest energy
+    fragments: tuple = ()  # least and largest number at the end
+    holds: object = None  # function of (file, frames): returns a description of what is wrong, or None
     long: bool = False
 
     def error(self, scheme):
@@ -50,7 +50,8 @@ SCENES = []
 
 
 def add(name, what, text, refused=(), fails=None, explicit=None, auto=None, **more):
-    """refused: words of the message before the first step; fails: how steps end, explicit and auto: how these do."""
+    """Adds a scene. refused: parts of the message that refuses it before the first step; fails: Refusal in a step, with
+    all schemes; explicit, auto: Refusal with that scheme."""
     if refused:
         more["errors"] = {"": Refusal(2, tuple(refused))}
     if fails:
@@ -77,7 +78,7 @@ FLOOR = "[obstacle.floor]\nplane = {}\n"
 
 
 def scene(*parts, duration=2e-3, solver="", head=""):
-    # Keys of the solver with their default steps: 1e-4 s, and 2e-6 s for explicit ones.
+    # Steps have their default lengths: 1e-4 s, and 2e-6 s for explicit ones.
     return f"duration = {duration}\n{head}\n" + "".join(parts) + (f"[solver]\n{solver}\n" if solver else "")
 
 
@@ -87,7 +88,7 @@ def steel(**more):
 
 
 def still(limit):
-    """At most this fast (m/s) at the end."""
+    """Returns a check that all velocities at the end are at most `limit` (m/s)."""
     def check(_, frames):
         fastest = abs(frames[-1]["vertex/velocity"][:]).max()
         return None if fastest <= limit else f"still moves with {fastest:.3g} m/s at the end"
@@ -100,7 +101,7 @@ def grid(columns, rows, width, height, at=(0, 0, 0)):
 
 
 def ply(vertices, faces, strength):
-    """With a strength of all vertices."""
+    """Returns a .ply file whose vertices all have this strength."""
     return ("ply\nformat ascii 1.0\n" + f"element vertex {len(vertices)}\n"
             + "".join(f"property float {name}\n" for name in ("x", "y", "z", "strength"))
             + f"element face {len(faces)}\nproperty list uchar int vertex_indices\nend_header\n"

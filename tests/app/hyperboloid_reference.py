@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Prints the energies that app/bench/hyperboloid_cases.cpp has as references.
+"""Prints the reference energies of app/bench/hyperboloid_cases.cpp.
 
 A shell of revolution r^2 = 1 + z^2, |z| <= 1, with free ends (E = 2.85e4, nu = 0.3, thickness t) under the pressure
 1e4 t^3 cos(2 angle) along its outward normal: Koiter's linear shell, second harmonic around, Legendre polynomials
@@ -15,14 +15,15 @@ YOUNG, POISSON, PRESSURE, AROUND = 2.85e4, 0.3, 1e4, 2
 
 
 def strains(degree, points):
-    """Membrane strains (11, 22, 2*12), changes of curvature, displacement along the normal, each [points, unknowns];
-    weights of the points. Unknown are u (along the meridian, cos), v (around, sin) and w (outward, cos)."""
+    """Returns membrane strains (11, 22, 2*12), changes of curvature and displacement along the normal, each [points,
+    unknowns], and weights of the points. Unknowns are u (along the meridian, cos), v (around, sin), w (outward,
+    cos)."""
     z, weight = legendre.leggauss(points)
     r = np.sqrt(1 + z * z)
     slope, bend = z / r, 1 / r**3
     stretch = np.sqrt(1 + slope**2)  # arc length over z
-    sine, cosine = slope / stretch, 1 / stretch  # of the meridian's angle to the axis
-    turn = bend / (1 + slope**2) / stretch  # of the meridian's tangent towards the outward normal, a length
+    sine, cosine = slope / stretch, 1 / stretch  # the meridian's angle to the axis
+    turn = bend / (1 + slope**2) / stretch  # rotation of the meridian's tangent to the outward normal per arc length
     column = lambda values: values[:, None]
     value = legendre.legvander(z, degree)
     along_axis = np.array([legendre.legval(z, legendre.legder(unit)) for unit in np.eye(degree + 1)]).T
@@ -55,7 +56,7 @@ def strains(degree, points):
 def energy(thickness, degree=60, points=160):
     membrane, bending, normal, weight = strains(degree, points)
     plane = YOUNG / (1 - POISSON**2) * np.array([[1, POISSON, 0], [POISSON, 1, 0], [0, 0, (1 - POISSON) / 2]])
-    # The two parts stacked as a least squares problem, so that the thin shell is not lost in round-off.
+    # Both parts stacked as a least squares problem, so that round-off does not swamp the bending of a thin shell.
     root = np.linalg.cholesky(plane).T
     rows = [np.sqrt(factor) * np.sqrt(weight)[:, None] * sum(root[i, j] * part[j] for j in range(3))
             for factor, part in ((thickness, membrane), (thickness**3 / 12, bending)) for i in range(3)]

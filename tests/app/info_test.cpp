@@ -85,7 +85,7 @@ TEST(Info, TellsTheEnergiesOfTheLastStepAndTheExtremesOfAll) {
     EXPECT_EQ(info["most_stages"], 3);
 }
 
-// Of a recording without a balance, zeros would say that nothing was lost.
+// For a recording without a balance, zeros would claim that nothing was lost.
 TEST(Info, HasNoBalanceOfARecordingOfBeforeThereWasOne) {
     const TemporaryDirectory folder;
     record(synthetic_run(), folder.path / "run.h5");
@@ -98,7 +98,7 @@ TEST(Info, HasNoBalanceOfARecordingOfBeforeThereWasOne) {
     EXPECT_NE(text.find("energy "), std::string::npos) << text;
 }
 
-// Told of the wrong shape at rest, or of another face, a strain report would send its reader the wrong way.
+// With the strain of another rest shape or face, the report would mislead its reader.
 TEST(Info, TellsTheLargestMembraneStrainOfTheLastFrame) {
     const TemporaryDirectory folder;
     const auto reported = [&](const SyntheticRun& run) {
@@ -122,8 +122,7 @@ TEST(Info, TellsTheLargestMembraneStrainOfTheLastFrame) {
     EXPECT_TRUE(reported(run)["strain"].is_null()) << "a run that blew up has no largest strain";
 }
 
-// A fragment table that lost or doubled something would show in the sums.
-// Whoever designs against a strength goes by this number.
+// Users design against a strength by this number.
 TEST(Info, TellsTheLargestStressAndCurvatureOfAllFrames) {
     const TemporaryDirectory folder;
     SyntheticRun run = synthetic_run();
@@ -164,6 +163,7 @@ TEST(Info, HasNoStressOfARecordingWithoutFields) {
     EXPECT_EQ(run_info_text(read).find("Pa at most"), std::string::npos);
 }
 
+// A lost or repeated row of the fragment table would change the sums.
 TEST(Info, FragmentsShareOutTheWholeSheet) {
     const TemporaryDirectory folder;
     const SyntheticRun run = synthetic_run();
@@ -209,7 +209,7 @@ TEST(Info, TellsOfARunThatHasJustBegun) {
     EXPECT_NE(run_info_text(read_run_info(folder.path / "run.h5")).find("running"), std::string::npos);
 }
 
-// A run that blew up, or a scene named in another encoding, must still give JSON that parses.
+// A run that diverged, or a scene name in another encoding, must still give JSON that parses.
 TEST(Info, GivesValidJsonOfStrangeValues) {
     RunInfo info;
     info.last = StepReport{};

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""killed_runs.py SHERD [--kills N]: recordings of runs that are killed at random moments, and of runs on full disks.
+"""killed_runs.py SHERD [--kills N]: recordings of runs that are killed at random times, and of runs on full disks.
 
-Every frame that the index beside a recording tells of must be there afterwards, for sherd and for h5py. SHERD_SHORT in
-the environment: at most 20 kills. What is random has a fixed seed, but not what the machine does meanwhile.
+Every frame that the index beside a recording lists must be readable afterwards, by sherd and by h5py. SHERD_SHORT in
+the environment: at most 20 kills. Random numbers have a fixed seed; the timing of the machine is not reproducible.
 """
 import argparse
 import json
@@ -40,13 +40,13 @@ def read_whole(file):
 
 
 def is_changing(error):
-    """Whether a recording could not be opened since it changes meanwhile: it was locked, or became longer between the
-    moments at which HDF5 asks for its size and locks it."""
+    """Returns whether a recording could not be opened because it is being written: it was locked, or grew after HDF5
+    had read its size and before HDF5 locked it."""
     return isinstance(error, BlockingIOError) or "truncated file" in str(error)
 
 
 def indexed_frames(folder):
-    """How many frames the index says that there are."""
+    """Returns the number of frames in the index."""
     index = folder / "scene.xdmf"
     return index.read_text().count('<Grid Name="surface ') if index.exists() else 0
 
@@ -60,7 +60,7 @@ def in_child(sherd, folder, limit=None):
 
 
 def wait_until(is_so, run):
-    """While the run goes on; a limit against hanging has the test as a whole."""
+    """Waits for a condition while the run continues. ctest's time limit of the whole test ends a wait that hangs."""
     while not is_so():
         assert run.poll() is None, "the run has ended"
         time.sleep(0.002)
@@ -79,7 +79,7 @@ class Runs(unittest.TestCase):
         self.temporary.cleanup()
 
     def frames_by_sherd(self):
-        """What sherd says, which mends the recording first."""
+        """Returns the number of frames and the messages of `sherd info`, which repairs the recording first."""
         done = subprocess.run([self.sherd, "info", "--json", "scene.h5"], cwd=self.folder, capture_output=True,
                               text=True)
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -99,7 +99,7 @@ class Runs(unittest.TestCase):
             run = in_child(self.sherd, self.folder)
             least = moments.randrange(8)
             wait_until(lambda: indexed_frames(self.folder) > least, run)
-            time.sleep(moments.uniform(0, 0.03))  # anywhere within the next frames
+            time.sleep(moments.uniform(0, 0.03))  # a random time within the next frames
             run.send_signal(signal.SIGKILL)
             run.communicate()
             try:
@@ -119,7 +119,7 @@ class Runs(unittest.TestCase):
         counts, failed = [], 0
         with h5py.File(self.file, "r") as kept:
             first = len(kept["frames"])
-            wait_until(lambda: indexed_frames(self.folder) > first + 3, run)  # for ever if the run waits for a reader
+            wait_until(lambda: indexed_frames(self.folder) > first + 3, run)  # hangs if the run waits for a reader
             self.assertEqual(len(kept["frames"]), first)
         while len(counts) < 20 or counts[-1] == counts[0]:
             try:
@@ -148,7 +148,7 @@ class Runs(unittest.TestCase):
             self.expect_full(in_child(self.sherd, self.folder, limit))
 
     def test_a_full_disk_is_an_error_and_takes_nothing(self):
-        # Not even root may have mounts of its own in a chroot whose top is none.
+        # In a chroot whose root is not a mount point even root cannot have mounts of its own.
         if subprocess.run(["unshare", "-m", "true"], capture_output=True).returncode != 0:
             self.skipTest("a small disk needs mounts of its own")
         me = [sys.executable, __file__, self.sherd, "--disk", str(self.folder)]
@@ -159,7 +159,7 @@ class Runs(unittest.TestCase):
 
 
 class SmallDisk(Runs):
-    """In a namespace of mounts of its own."""
+    """Runs on small disks, in a mount namespace of its own."""
     folder = None
 
     def setUp(self):

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """long_rest.py SHERD [--steps N]
 
-A plate breaks on a floor between walls, and its shards lie there for N steps (100,000) in all: nothing may move any
-more, no energy may come from nowhere, and no memory may be taken. Prints a table by tenths of the run, with the
+A plate breaks on a floor between walls, and its fragments lie there until N steps (100,000) have been made: in the end
+nothing may move, no energy may be created, and memory must not grow. Prints a table by tenths of the run, with the
 processor time of a step, which should not grow either. SHERD_SHORT in the environment: 5,000 steps."""
 
 import argparse
@@ -41,13 +41,13 @@ friction = 0.3
 [solver]
 step = 1e-3
 """
-MEMORY = 4 << 20    # bytes that the last half of a run may take more: what pages of the heap come and go
-STILL = 1e-6 * SIZE  # m, what may move from the middle of the run to its end
-ENERGY = 1e-6       # of the largest, what may come from nowhere
+MEMORY = 4 << 20    # bytes, largest growth in the second half of a run: fluctuation of the heap's pages
+STILL = 1e-6 * SIZE  # m, largest displacement from the middle of the run to its end
+ENERGY = 1e-6       # largest energy residual over the largest energy
 
 
 def used(process):
-    """Resident memory, bytes, and processor time, s, of a process that runs."""
+    """Returns resident memory (bytes) and processor time (s) of a running process."""
     folder = pathlib.Path("/proc") / str(process.pid)
     ticks = folder.joinpath("stat").read_text().rpartition(")")[2].split()[11:13]
     pages = int(folder.joinpath("statm").read_text().split()[1])
@@ -55,7 +55,8 @@ def used(process):
 
 
 def run(sherd, scene, recording):
-    """Runs the scene; returns (step, memory, processor time) at each tenth but the last, when it may have ended."""
+    """Runs the scene. Returns (step, memory, processor time) at each tenth of the run but the last, at which the
+    process may have ended."""
     process = subprocess.Popen([sherd, "run", scene, "-o", recording], stdout=subprocess.DEVNULL,
                                stderr=subprocess.PIPE, text=True)
     tenths, words = [], []
@@ -75,7 +76,7 @@ def show(tenths):
 
 
 def problems(recording, tenths):
-    """What is wrong with a run, in words."""
+    """Returns descriptions of what is wrong with a run."""
     _, moved, nowhere, fragments, _ = recorded_rest.at_the_end(recording)
     grown = tenths[-1][1] - tenths[len(tenths) // 2][1]
     print(f"{fragments} fragments; from the middle to the end they move by {moved:.1e} m at most, memory grows by "

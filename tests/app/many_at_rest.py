@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """many_at_rest.py SHERD [--fragments N]
 
-N (10,000) small shards, each tilted its own way, fall onto a floor and come to rest there: all must lie on it at the
-end, none may move in the second half of the run, and no energy may come from nowhere. SHERD_SHORT in the environment:
-400 shards."""
+N (10,000) small shards, each tilted differently, fall onto a floor and come to rest there: all must lie on it at the
+end, none may move in the second half of the run, and no energy may be created. SHERD_SHORT in the environment: 400
+shards."""
 
 import argparse
 import math
@@ -35,12 +35,12 @@ step = 1e-3
 [output]
 every = 0.01
 """
-STILL = 1e-6 * SIDE  # m, what may move in the second half
-ENERGY = 1e-6        # of the largest, what may come from nowhere
+STILL = 1e-6 * SIDE  # m, largest displacement in the second half
+ENERGY = 1e-6        # largest energy residual over the largest energy
 
 
 def tilted(random):
-    """An orthogonal matrix: turned about z, tilted by 30 degrees at most, turned again."""
+    """Returns a random rotation matrix: about z, a tilt by 30 degrees at most, about z again."""
     def about(axis, angle):
         turn, (i, j) = numpy.eye(3), [(1, 2), (0, 1)][axis]
         turn[[i, i, j, j], [i, j, i, j]] = math.cos(angle), -math.sin(angle), math.sin(angle), math.cos(angle)
@@ -50,7 +50,7 @@ def tilted(random):
 
 
 def write_shards(file, count):
-    """Triangles on a square grid, 4 to 7 mm above the floor."""
+    """Writes triangles on a square grid, 4 to 7 mm above the floor."""
     random, columns = numpy.random.default_rng(3), math.isqrt(count - 1) + 1
     angles = math.tau * numpy.arange(3) / 3
     triangle = SIDE / math.sqrt(3) * numpy.array([numpy.cos(angles), numpy.sin(angles), numpy.zeros(3)])
@@ -63,7 +63,7 @@ def write_shards(file, count):
 
 
 def problems(recording, count):
-    """What is wrong with a run, in words."""
+    """Returns descriptions of what is wrong with a run."""
     end, moved, nowhere, fragments, steps = recorded_rest.at_the_end(recording)
     highest = end[:, 2].max()
     seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `sherd mesh`: what an artist paints on must be the very mesh that the scene is run with.
+// `sherd mesh`: artists paint on its mesh, which must be the mesh of the scene's run.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,7 +36,7 @@ class MeshCommand : public testing::Test {
         std::vector<std::string> warnings;
         return read_mesh(directory.path / name, {}, warnings);
     }
-    /// Of the scene written last.
+    /// Mesh of the scene written last.
     Mesh made(bool placed, std::size_t sheet = 0) {
         std::vector<std::string> warnings;
         const Scene scene = read_scene(directory.path / "scene.toml");
@@ -61,7 +61,7 @@ TEST_F(MeshCommand, WritesTheMeshOfTheSceneToTheLastBit) {
     }
     ASSERT_EQ(mesh(sheet_table("plate", disc), {"-o", "a.stl"}).exit_code, 0);
     EXPECT_EQ(read("a.stl").number_of_vertices(), made(false).number_of_vertices());
-    // The way back: the scene with the file in the generator's place is the same scene.
+    // Conversely, the scene with the file in place of the generator must have the same mesh.
     const Mesh generated = made(true);
     ASSERT_EQ(mesh(sheet_table("plate", "\"a.obj\""), {"-o", "b.obj"}).exit_code, 0);
     expect_same(made(true), generated);
@@ -82,7 +82,7 @@ TEST_F(MeshCommand, WritesMeshesThatWereScaledAndRemeshed) {
     EXPECT_NEAR(measure(read("a.obj")).area, 0.01, 1e-12);
 }
 
-// The length is in metres, whatever the unit of the file: wrong by 1000, all or nothing would be joined.
+// The length is in metres, whatever the unit of the file: wrong by 1000, all or no vertices would be joined.
 TEST_F(MeshCommand, JoinsWhatIsSoNearInMetres) {
     directory.write(
         "halves.obj",

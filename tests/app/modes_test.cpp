@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `sherd modes`: what a user reads, gets recorded and is told when something is wrong.
+// Output, recordings and errors of `sherd modes`.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -19,8 +19,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A square of 0.1 m of unit weight and rigidity a^4 / 100^2, so that omega a^2 sqrt(rho t / D) = omega /
-/// 100.
+/// Square of 0.1 m of unit weight and rigidity a^4 / 100^2, so that omega a^2 sqrt(rho t / D) = omega / 100.
 std::string square_plate(const std::string& more = "") {
     return "duration = 1\n[sheet.plate]\nmesh = { generate = \"rectangle\", width = 0.1, height = 0.1, "
            "edge_length = 0.005 }\nmaterial = { density = 1000, thickness = 1e-3, young = 10.92e9, poisson = "
@@ -72,7 +71,7 @@ TEST_F(ModesCommand, TellsTheFrequenciesOfAFreePlate) {
     EXPECT_FALSE(mentions(table.out, "left out")) << table.out;
 }
 
-// Supports hold as they do in a run: a bearing that lets go of what it should hold makes frequencies too low.
+// Supports must act as in a run: with an incomplete support frequencies would be too low.
 TEST_F(ModesCommand, HoldsWhatTheSceneHolds) {
     const auto first = [&](const std::string& supports, int rigid) {
         const Json json = json_of(square_plate(supports), {"-n", "1"});
@@ -84,7 +83,7 @@ TEST_F(ModesCommand, HoldsWhatTheSceneHolds) {
     EXPECT_NEAR(first("pin = { boundary = true, free = [\"x\", \"y\"] }\n", 3), 2 * pi * pi, 0.2);
     EXPECT_NEAR(first("clamp = { boundary = true }\n", 0), 35.985, 0.6);
     EXPECT_NEAR(first("clamp = { box = [[-1, -1, -1], [1e-6, 1, 1]] }\n", 0), 3.471, 0.05);
-    // A quarter of the supported plate has its modes that are even in both directions: of a plate of twice
+    // A quarter of the supported plate has its modes that are even in both directions: for a plate of twice
     // the side, a quarter of the frequency.
     EXPECT_NEAR(
         first("pin = [{ box = [[0.0999, -1, -1], [1, 1, 1]] }, { box = [[-1, 0.0999, -1], [1, 1, 1]] }]\n"
@@ -94,7 +93,7 @@ TEST_F(ModesCommand, HoldsWhatTheSceneHolds) {
         pi * pi / 2, 0.1);
 }
 
-// Loads count with their stiffness, at their full size; what does not count is said.
+// Loads count with their stiffness, at their full size; the output must list what does not count.
 TEST_F(ModesCommand, SaysWhatItLeavesOut) {
     const std::string more =
         "velocity = [0, 0, -1]\n[obstacle.floor]\nplane = { point = [0, 0, -1] }\n"
@@ -112,7 +111,7 @@ TEST_F(ModesCommand, SaysWhatItLeavesOut) {
     EXPECT_EQ(two["left_out"], Json::array({"contact of the sheets with each other"}));
 }
 
-// A balloon that no stress holds yet moves away under so large a pressure; nobody should read a frequency.
+// An unstressed balloon is unstable under so large a pressure; no frequency may be shown.
 TEST_F(ModesCommand, TellsOfAnUnstableState) {
     const std::string scene =
         "duration = 1\n[sheet.ball]\nmesh = { generate = \"sphere\", radius = 0.1, edge_length = 0.02 }\n"
@@ -129,7 +128,7 @@ TEST_F(ModesCommand, TellsOfAnUnstableState) {
     EXPECT_TRUE(mentions(info.out, "     1  unstable, grows e-fold in ")) << info.out;
 }
 
-// Orthotropy and the other models reach it.
+// Orthotropy and the other bending models must have an effect.
 TEST_F(ModesCommand, FollowsMaterialAndModel) {
     const auto first = [&](const std::string& key) {
         return json_of(square_plate("clamp = { box = [[-1, -1, -1], [1e-6, 1, 1]] }\n"),
@@ -174,7 +173,7 @@ TEST_F(ModesCommand, GivesAllModesOfASmallMesh) {
     EXPECT_TRUE(mentions(result.out, "modes        all 6 that this mesh has")) << result.out;
 }
 
-// What is recorded is what was printed, and a recording that is there is kept.
+// The recording must agree with the output, and an existing recording must be kept.
 TEST_F(ModesCommand, RecordsWhatItPrints) {
     const Json json =
         json_of(square_plate(), {"-n", "2", "-o", "modes.h5", "--frames", "4", "--amplitude", "0.2"});
@@ -202,7 +201,7 @@ TEST_F(ModesCommand, RecordsWhatItPrints) {
     EXPECT_EQ(directory.contents(), before);
 }
 
-// Programs that show runs show modes, and say which.
+// Programs that show runs must show modes, and name them.
 TEST_F(ModesCommand, IsShownByWhatShowsRuns) {
     ASSERT_EQ(modes(square_plate(), {"-n", "2", "-o", "modes.h5", "--frames", "4"}).exit_code, 0);
     const auto works = [&](const std::vector<std::string>& arguments) {
@@ -236,7 +235,7 @@ TEST_F(ModesCommand, TakesVariantsOneByOne) {
     EXPECT_EQ(json_of(scene, {"-n", "1", "--variant", "thick"})["variant"], "thick");
 }
 
-// Ctrl-C leaves a recording that can be read, up to there.
+// Ctrl-C must leave a recording that can be read up to there.
 TEST_F(ModesCommand, CanBeInterrupted) {
     directory.write("scene.toml", square_plate());
     const std::filesystem::path file = directory.path / "modes.h5";
@@ -252,7 +251,7 @@ TEST_F(ModesCommand, CanBeInterrupted) {
     EXPECT_EQ(Recording(file).end(), "interrupted");
 }
 
-// A full disk is an error that says so, not a recording that ends somewhere.
+// A full disk must give an error, not a truncated recording.
 TEST_F(ModesCommand, SaysThatTheDiskIsFull) {
     directory.write("scene.toml", square_plate());
     const ProgramResult result =

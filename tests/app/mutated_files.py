@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """mutated_files.py SHERD [--files N] [--seed N] [--keep FOLDER]
 
-Recordings and their checkpoints, and OpenVDB grids, that were damaged: N files in all are given to the real program.
-Whatever reads them must end within 20 CPU seconds and 4 GB, with 0 or 2 (and `run --resume` with 1, too), never by a
-signal; what it says must be Sherd's own words. A file that breaks this is kept in FOLDER, and the command is printed.
-The same seed damages them in the same way. SHERD_SHORT in the environment: at most 100.
+Gives N damaged files to the real program: recordings, checkpoints and OpenVDB grids. A command that reads one must end
+within 20 CPU seconds and 4 GB, with exit code 0 or 2 (`run --resume` also with 1), never by a signal; its messages must
+be Sherd's own. A file that violates this is kept in FOLDER, and the command is printed. Damage depends on the seed
+only. SHERD_SHORT in the environment: at most 100 files.
 """
 import argparse
 import os
@@ -50,16 +50,16 @@ READERS = [["info", "run.h5"], ["info", "--json", "run.h5"], ["export", "run.h5"
            ["render", "run.h5", "-o", "p", "--frames", "-1", "--size", "32x32", "--samples", "1"], ["plot", "run.h5"],
            ["view", "run.h5"], ["export", "run.h5", "--to", "obj", "--fragments"], ["run", "run.toml", "--resume"]]
 SECONDS, MEMORY = 20, 4 << 30
-# Where a file's structure stands: what HDF5 and OpenVDB begin their parts with.
+# Markers with which HDF5 and OpenVDB begin parts of a file's structure.
 LANDMARKS = re.compile(rb"TREE|HEAP|SNOD|GCOL|\x89HDF|OHDR|Tree_float|file_bbox|Affine|Scale")
 WORDS = [b"\0" * 8, b"\xff" * 8, b"\xff" * 4, struct.pack("<q", 1 << 40), struct.pack("<i", 1 << 30),
          struct.pack("<q", -1), struct.pack("<d", float("nan")), struct.pack("<f", 1e38), b"\x01", b"\x7f"]
-# What no message of Sherd's has: the words of an exception of the library.
+# Text of the standard library's exceptions, which no message of Sherd contains.
 FOREIGN = re.compile(r"std::|bad_alloc|basic_string|vector::|Assertion|terminate called")
 
 
 def place(content, chance):
-    """An offset, mostly near the structure, or else in what is not zero."""
+    """Returns a random offset: often near the file's structure, otherwise at a byte that is not zero."""
     marks = [match.start() for match in LANDMARKS.finditer(content)]
     if marks and chance.random() < 0.4:
         return min(chance.choice(marks) + chance.randrange(96), len(content) - 1)
@@ -97,7 +97,7 @@ class Program:
         self.sherd, self.folder = sherd, folder
 
     def run(self, *arguments):
-        """Exit code (negative: the signal; None: none in time) and what was said."""
+        """Runs a command. Returns its exit code (negative: a signal; None: timeout) and its messages."""
         environment = dict(os.environ, OPENBLAS_NUM_THREADS="1")
         try:
             done = subprocess.run([self.sherd, *arguments], cwd=self.folder, capture_output=True, env=environment,
@@ -108,7 +108,7 @@ class Program:
 
 
 def prepare(program):
-    """Makes the files that are then damaged; returns their contents by name."""
+    """Makes the undamaged files; returns their contents by name."""
     for name, text in SCENES.items():
         (program.folder / name).write_text(text.replace("velocity", MATERIAL + "velocity"))
     grid = ["export", "run.h5", "--to", "vdb", "--frames", "0", "--sheets-only", "--voxel", "0.002", "-o", "a.vdb"]
@@ -120,7 +120,7 @@ def prepare(program):
 
 
 def case(number, files):
-    """What is damaged in the case of this number, and what reads it."""
+    """Returns the file to damage in this case, and the command that reads it."""
     if number % 2 == 0:
         return "a.vdb", ["check", "obstacle.toml" if number % 4 else "map.toml"]
     command = READERS[number // 2 % len(READERS)]
@@ -131,7 +131,7 @@ def case(number, files):
 
 
 def fault(command, code, words):
-    """What is wrong with an end, or nothing."""
+    """Returns a description of what is wrong with the end of a command, or None."""
     if code in (None, -signal.SIGXCPU):
         return f"takes more than {SECONDS} s"
     if code < 0:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where `sherd run` may write, and what stays when it cannot, through the real program.
+// Output paths that `sherd run` accepts, and files that remain if it cannot write, through the real program.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -12,7 +12,7 @@
 namespace sherd::test {
 namespace {
 
-/// A plate in free fall, one frame a step: nothing breaks, and every frame makes the recording larger.
+/// Plate in free fall, one frame a step: no edge fails, and every frame enlarges the recording.
 const std::string falling_plate = R"(duration = 0.004
 [sheet.plate]
 mesh = { generate = "disc", radius = 0.1, edge_length = 0.01 }
@@ -41,7 +41,7 @@ TEST(OutputPath, AnExistingFileIsKeptUnlessForced) {
     EXPECT_EQ(run_sherd({"info", "out.h5"}, directory.path).exit_code, 0);
 }
 
-// One wrong name on the command line would cost the scene, or a night's recording.
+// A single wrong name on the command line would destroy the scene, or a night's recording.
 TEST(OutputPath, WhatACommandReadsIsNeverReplaced) {
     const TemporaryDirectory directory;
     directory.write("scene.toml", falling_plate);
@@ -64,7 +64,7 @@ TEST(OutputPath, WhatACommandReadsIsNeverReplaced) {
     }
 }
 
-// A recording with the name of a mesh is one that no mesh program opens.
+// No mesh program can open a recording with the name of a mesh.
 TEST(OutputPath, ANameOfAnotherKindOfFileIsAnErrorWithTheRightOne) {
     const TemporaryDirectory directory;
     directory.write("scene.toml", falling_plate);
@@ -102,7 +102,7 @@ TEST(OutputPath, AFullDiskEndsTheRunAndKeepsTheFramesWritten) {
     const TemporaryDirectory directory;
     directory.write("scene.toml", falling_plate);
     ProgramLimits limits;
-    limits.file_bytes = 600'000;  // of some 1'000'000
+    limits.file_bytes = 600'000;  // bytes, of about 1'000'000
     const ProgramResult full = run_sherd({"run", "scene.toml", "-o", "out.h5"}, directory.path, limits);
     EXPECT_EQ(full.exit_code, 1) << full.out << full.err;
     EXPECT_NE(full.err.find("out.h5"), std::string::npos) << full.err;

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs the paper's scenes, all variants, measures what the paper says is to be seen, and checks that it is so.
+"""Runs all variants of the paper's scenes, measures what the paper states about them, and checks the statements.
 
     tests/app/paper_scenes.py build/release/app/sherd [--short] [--keep FOLDER] [--draw FOLDER] [FIGURE...]
 
-FIGURE is the beginning of a scene's name: figure_3. --short: coarse meshes and short runs, for the tests; of these only
-the first, where tests/long --short sets SHERD_SHORT. --keep FOLDER: record there, and take recordings that are there
-already as they are. --draw FOLDER: the README's pictures. Prints a table; exit code 1 when a statement does not hold.
+FIGURE is the beginning of a scene's name: figure_3. --short: coarse meshes and short runs, for the tests; with
+SHERD_SHORT in the environment (tests/long --short) only the first scene. --keep FOLDER: makes recordings there, and
+uses existing ones. --draw FOLDER: makes the README's pictures. Prints a table. Exit code 1: a statement does not hold.
 """
 import argparse
 import concurrent.futures
@@ -24,7 +24,7 @@ SCENES = pathlib.Path(__file__).parents[2] / "scenes" / "paper"
 
 
 class Run:
-    """A recording: the first frame, and positions frame by frame."""
+    """A recording, with access to its frames by number."""
 
     def __init__(self, path):
         self.file = h5py.File(path)
@@ -38,7 +38,7 @@ class Run:
 
 
 def hinges(run):
-    """Hinges of the first sheet: [H, 4] vertices of the first frame, both ends of the edge first."""
+    """Returns the hinges of the first sheet: [H, 4] vertices of the first frame, the ends of the edge first."""
     first = run.frame(0)
     faces = first["face/vertices"][()][first["face/sheet"][()] == 0]
     sides = {}
@@ -49,8 +49,9 @@ def hinges(run):
 
 
 def folds(run, up):
-    """Where the folds of a flat sheet run: squared bends of the later half of the frames, and the means with them of
-    cos 2a, sin 2a and cos 4a; a: angle of an edge at rest, from x towards axis `up`."""
+    """Measures the folds of a flat sheet in the second half of the frames. Returns the sum of squared hinge angles,
+    mean of these frames, and the means of cos 2a, sin 2a and cos 4a weighted by the squared angles; a: angle of an edge
+    at rest, from x to the axis `up`."""
     stencils = hinges(run)
     rest = run.positions(0)
     along = rest[stencils[:, 1]] - rest[stencils[:, 0]]
@@ -65,14 +66,15 @@ def folds(run, up):
 
 
 def falls(run):
-    """Lowest mean height, m, and the highest after it."""
+    """Returns the lowest mean height, m, and the highest one after it."""
     heights = np.array([run.positions(number)[:, 2].mean() for number in range(len(run.names))])
     lowest = heights.argmin()
     return heights[lowest], heights[lowest:].max()
 
 
 def cracks(run):
-    """Length at rest, m, means over it of cos 2a and sin 2a (a: angle to x from above), pieces over 1 % and of one face."""
+    """Returns the length of cracks at rest, m, the means of cos 2a and sin 2a weighted by length (a: angle to x from
+    above), and the numbers of pieces with more than 1 % of the faces and with one face."""
     first, last = run.frame(0), run.frame(-1)
     rest = run.positions(0)
     open_at_first = {tuple(sorted(edge)) for edge, state in zip(first["edge/vertices"][()], first["edge/state"][()])
@@ -89,7 +91,7 @@ def cracks(run):
 
 
 def stretch(run):
-    """Largest length of an edge in any frame, as a multiple of that at rest, and the mean in the last frame."""
+    """Returns the largest length of an edge over its rest length in any frame, and the mean in the last frame."""
     edges = run.frame(0)["edge/vertices"][()]
     lengths = np.array([np.linalg.norm(np.diff(run.positions(number)[edges], axis=1)[:, 0], axis=1)
                         for number in range(len(run.names))])
@@ -132,7 +134,7 @@ def section_8_flag(measured):
     yield "a flag stretched threefold is well-behaved", 2.5 < measured["6"][0] < 4
 
 
-# Scene: what is measured (with the columns' names), what must hold, and the settings of the short version.
+# By scene: measure and names of its columns, statements to check, and settings of the short version.
 FIGURES = {
     "figure_3_cylinders": (falls, ("lowest (m)", "bounce (m)"), figure_3,
                            ["sheet.cylinder.mesh.edge_length=0.018", "solver.step=2e-3", "duration=0.3"]),
@@ -147,7 +149,7 @@ FIGURES = {
     "section_8_cylinder": (stretch, ("largest stretch", "last mean"), section_8_cylinder, None),
     "section_8_flag": (stretch, ("largest stretch", "last mean"), section_8_flag, None),
 }
-# Frame and camera of its pictures.
+# Frame and camera of a scene's pictures.
 VIEWS = {
     "figure_3_cylinders": ("27", "30,15"),
     "figure_4_poncho": ("-1", "25,20,1.05"),
@@ -157,7 +159,7 @@ VIEWS = {
     "section_8_cylinder": ("8", "30,15"),
     "section_8_flag": ("-1", "30,20"),
 }
-# Variants that short runs leave out: of no statement, or too coarse for it.
+# Variants that short runs leave out, because no statement needs them or the mesh is too coarse.
 LEFT_OUT = {
     "figure_3_cylinders": {"isotropic"},
     "figure_4_poncho": {"young_20", "young_35", "young_50"},
@@ -172,7 +174,7 @@ def variants(scene):
 
 
 def record(program, scene, variant, settings, folder):
-    """The recording of one variant, run unless it is there."""
+    """Returns the recording of a variant; runs the scene if there is none yet."""
     recording = folder / f"{scene}-{variant}.h5"
     if not recording.exists():
         arguments = [word for setting in settings for word in ("--set", setting)]
@@ -189,7 +191,7 @@ def draw(program, scene, variant, recordings, folder):
 
 
 def check_figure(program, scene, short, folder):
-    """Prints the table; returns how many statements do not hold."""
+    """Prints the table of a scene; returns the number of statements that do not hold."""
     measure, columns, statements, settings = FIGURES[scene]
     chosen = [name for name in variants(scene) if not (short and name in LEFT_OUT.get(scene, ()))]
     with concurrent.futures.ThreadPoolExecutor(2) as two:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What strikes a sheet within a step or two must not end behind it, nor the run in a fault.
+// Objects that strike a sheet within a step or two must not end behind it, nor crash the program.
 #include <gtest/gtest.h>
 
 #include "app/recording/recording.h"
@@ -23,7 +23,7 @@ struct Blow {
         result = run_sherd({"run", "scene.toml", "-o", "run.h5"}, directory.path);
     }
     std::vector<StepReport> steps() const { return Recording(directory.path / "run.h5").steps(); }
-    /// Whether the run ended with the error that says what passes, or cannot be solved.
+    /// Whether the run ended with the error about a passage, or a step that cannot be solved.
     bool is_refused() const {
         return result.exit_code == 1 && (result.err.find("passes through") != std::string::npos ||
                                          result.err.find("cannot be solved") != std::string::npos);
@@ -33,7 +33,7 @@ struct Blow {
     ProgramResult result;
 };
 
-// In one step the sheet goes five times as far as the pane is away: the minimiser took it round the rim.
+// In one step the sheet moves five times its distance to the pane: the minimiser once moved it round the rim.
 TEST(Passage, ASheetDoesNotJumpBehindAnother) {
     const Blow blow(R"(duration = 0.02
 [solver]
@@ -54,7 +54,7 @@ preset = "pmma"
     EXPECT_LT(steps.back().kinetic, 0.9 * 12.8) << "J: the pane took nothing of the blow";
 }
 
-// The pane, which does not break, must be in front of the hammer: 185 mm down, where its face is.
+// The pane, which does not fracture, must be in front of the hammer: 185 mm down, at its face.
 TEST(Passage, AHammerThatIsToldToGoThroughAPaneTakesItAlong) {
     const Blow blow(R"(duration = 0.003
 [output]
@@ -75,7 +75,8 @@ preset = "glass"
     EXPECT_LT(end.position.row(2).minCoeff(), -0.185);
 }
 
-// The springs of explicit steps are overwhelmed, which was asked of sheets and obstacles only.
+// The impact exceeds the springs of explicit steps, a case that was once tested for sheets and obstacles
+// only.
 TEST(Passage, AFreeBallThatPassesASheetInExplicitStepsEndsTheRun) {
     const Blow blow(R"(duration = 6e-4
 [solver]
@@ -95,7 +96,7 @@ preset = "eggshell"
     EXPECT_NE(blow.result.err.find("a free body through a sheet"), std::string::npos) << blow.result.err;
 }
 
-// Crack faces part while steps are explicit, and the next ones are implicit: a segmentation fault once.
+// Crack faces separate during explicit steps, and implicit ones follow: once a segmentation fault.
 TEST(BreakingPassage, AutoGoesOnWithAFreeBallAndCracksThatPart) {
     const Blow blow(R"(duration = 1e-3
 [force]

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the load over the deflection of both variants of hinged_roof as an SVG picture on standard output:
+"""Draws load over deflection of both variants of hinged_roof, as an SVG picture on standard output:
 
     sherd run hinged_roof -o roofs
     tests/app/plot_roof.py roofs > scenes/pictures/hinged_roof.svg
@@ -12,7 +12,7 @@ import sys
 
 import h5py
 
-LEFT, TOP, WIDTH, HEIGHT = 60, 20, 560, 300  # of the axes, pixels
+LEFT, TOP, WIDTH, HEIGHT = 60, 20, 560, 300  # place of the axes, pixels
 MOST, LOW, HIGH = 30, -0.2, 1  # deflection, mm; load factors
 CURVES = [("thick", "#2166ac", "12.7 mm thick", [(11.293, 0.7421), (19.852, 0.1729)]),
           ("thin", "#b35806", "6.35 mm thick", [(12.892, 0.1953), (15.778, -0.1288)])]

@@ -18,7 +18,7 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-/// How often `word` is in `text`.
+/// Number of occurrences of `word` in `text`.
 int count(const std::string& text, const std::string& word) {
     int found = 0;
     for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++found;
@@ -39,7 +39,7 @@ TEST(PlotTicks, AreRound) {
     expect_numbers_near(logarithmic_ticks(1, 20), {1, 2, 5, 10, 20});
 }
 
-// A peak of one step among a million is what a researcher looks for.
+// Researchers look for the peak of one step among a million.
 TEST(PlotThinning, KeepsTheExtremesAndTheEnds) {
     std::vector<Vector2d> points;
     for (int i = 0; i < 100000; ++i) points.emplace_back(i, i % 7);
@@ -54,7 +54,7 @@ TEST(PlotThinning, KeepsTheExtremesAndTheEnds) {
     EXPECT_EQ(thinned(kept, 400).size(), kept.size());
 }
 
-/// The synthetic run's events in one list.
+/// Events of the synthetic run in one list.
 CrackEvents all_events(const SyntheticRun& run) {
     CrackEvents events;
     for (const CrackEvents& later : run.events) append(events, later);
@@ -93,7 +93,7 @@ TEST(Plot, FragmentSizesShareOutTheSheet) {
     EXPECT_NEAR(area, std::accumulate(run.header.rest_area.begin(), run.header.rest_area.end(), 0.0), 1e-14);
 }
 
-// Nine charts with their units, in XML that an odd scene name does not break.
+// Nine charts with their units, in XML that remains valid with a strange scene name.
 TEST(Plot, DrawsChartsWithUnits) {
     const TemporaryDirectory folder;
     record(synthetic_run(), folder.path / "run.h5");
@@ -107,7 +107,7 @@ TEST(Plot, DrawsChartsWithUnits) {
     EXPECT_EQ(count(svg, "<circle"), 3) << "a dot for each fragment";
 }
 
-// An empty chart would say that there was a balance and nothing in it.
+// An empty chart would claim an empty balance.
 TEST(Plot, HasNoChartOfABalanceThatWasNotRecorded) {
     const TemporaryDirectory folder;
     record(synthetic_run(), folder.path / "run.h5");
@@ -117,11 +117,11 @@ TEST(Plot, HasNoChartOfABalanceThatWasNotRecorded) {
     EXPECT_EQ(count(svg, "Work and losses"), 0);
 }
 
-// What tips bear and how fast they are, with gaps where a tip is not there; no empty charts without any.
+// Loads and speeds of tips, with gaps where a tip does not exist; no empty charts without tips.
 TEST(Plot, ShowsTipsOfCracksOverTime) {
     SyntheticRun run = synthetic_run();
     add_tips(run);
-    run.events[1].tips[0].released = 0;  // has no place on a logarithmic axis
+    run.events[1].tips[0].released = 0;  // zero has no place on a logarithmic axis
     const TemporaryDirectory folder;
     record(run, folder.path / "run.h5");
     const std::string svg = plot_svg(Recording(folder.path / "run.h5"));
@@ -133,7 +133,7 @@ TEST(Plot, ShowsTipsOfCracksOverTime) {
     EXPECT_EQ(count(svg, "nan") + count(svg, "inf"), 0);
 }
 
-// A run that blew up still has a plot of what came before.
+// A run that diverged must still have a plot of the time before.
 TEST(Plot, LeavesGapsWhereNumbersAreNotFinite) {
     SyntheticRun run = synthetic_run();
     run.steps[2][3].kinetic = std::numeric_limits<double>::quiet_NaN();

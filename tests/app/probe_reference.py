@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """probe_reference.py SHERD MESHES
 
-Evaluates what `sherd probe` evaluates a second time, straight from the paper and sharing no code, and compares every
-number: on a crumpled mesh that is made here (needle triangles, a hole, two components, vertices that no face uses)
-and on MESHES/spot.obj where it is present. Energies are written with complex numbers in mind, so that a complex
-step gives their gradients to round-off. If this fails, the program's energies or forces are not the paper's."""
+Evaluates the quantities of `sherd probe` by the paper's equations, with code of its own, and compares every number: on
+a crumpled mesh that is made here (needle triangles, a hole, two components, vertices that no face uses) and on
+MESHES/spot.obj if it exists. The energies accept complex positions, so that a complex step gives their gradients to
+round-off. If this test fails, the program's energies or forces are not the paper's."""
 
 import itertools
 import json
@@ -43,7 +43,7 @@ def write_obj(path, vertices, faces):
 
 
 def patch(random, columns, rows):
-    """A rolled, creased sheet of unequal triangles: widths of columns and rows span two decades."""
+    """Returns a rolled, creased sheet of unequal triangles: widths of columns and rows span two decades."""
     u, v = (np.concatenate([[0], np.cumsum(10 ** random.uniform(-2, 0, n))]) for n in (columns, rows))
     u, v = np.meshgrid(u / u[-1], v / v[-1], indexing="ij")
     u = u + 0.2 * (v - v * v)
@@ -69,7 +69,8 @@ def crumpled_mesh(random):
 
 
 def deformed(random, vertices, faces):
-    """Smooth waves, large ones, and a scatter that turns hinges by radians; turned and moved as a whole."""
+    """Returns deformed positions: large smooth waves, random displacements that rotate hinges by radians, and a rigid
+    motion."""
     size = np.ptp(vertices, axis=0).max()
     x = vertices.copy()
     for _ in range(6):
@@ -86,14 +87,14 @@ def deformed(random, vertices, faces):
 
 
 def hinges_of(faces):
-    """x0, x1, x2, x3 of every inner edge: triangle (x0, x1, x2) on its left, (x0, x3, x1) on its right."""
+    """Returns x0, x1, x2, x3 of every interior edge: triangle (x0, x1, x2) on its left, (x0, x3, x1) on its right."""
     apex = {}
     for a, b, c in faces:
         apex.update({(a, b): c, (b, c): a, (c, a): b})
     return np.array([[a, b, apex[a, b], apex[b, a]] for a, b in apex if a < b and (b, a) in apex])
 
 
-# Vectors [..., 3] that may be complex: no conjugates.
+# Vectors [..., 3], real or complex, without conjugates.
 
 
 def dot(a, b):
@@ -105,7 +106,7 @@ def norm(a):
 
 
 def edges(x):
-    """e0 .. e4 of positions [H, 4, 3]."""
+    """Returns the edges e0 .. e4 of hinges at positions [H, 4, 3]."""
     x0, x1, x2, x3 = np.moveaxis(x, 1, 0)
     return x1 - x0, x2 - x0, x3 - x0, x2 - x1, x3 - x1
 
@@ -117,7 +118,7 @@ def angle(x):
     theta = np.arctan2(sine.real, cosine.real)
     if not np.iscomplexobj(x):
         return theta
-    slope = cosine.real * sine.imag - sine.real * cosine.imag  # of the arc tangent, for complex steps
+    slope = cosine.real * sine.imag - sine.real * cosine.imag  # derivative of the arc tangent, for complex steps
     return theta + 1j * slope / (cosine.real**2 + sine.real**2)
 
 
@@ -126,7 +127,7 @@ def cotangent(a, b):
 
 
 def gradient(function, x):
-    """d function / dx, [N, 3 n] or [N, 3 n, m] for values [N] or [N, m] of positions [N, n, 3]."""
+    """Returns d function / dx, [N, 3 n] or [N, 3 n, m] for values [N] or [N, m] of positions [N, n, 3]."""
     columns, step = [], 1e-30
     for vertex, axis in itertools.product(range(x.shape[1]), range(3)):
         moved = x.astype(complex)
@@ -153,11 +154,11 @@ class Hinges:
         return self.length / self.area * (change - 2 * math.pi * np.round(change / (2 * math.pi)))
 
     def nonlinear(self, x):
-        """Eqs. 3 and 4 with the angles themselves."""
+        """Returns the energies by eqs. 3 and 4, with exact angles."""
         return 3 * self.stiffness * self.length**2 / self.area * (1 - np.cos(angle(x) - self.angle))
 
     def cubic_2007(self, x):
-        """Eq. 4 with the cosine and sine of the angle that eqs. 5 and 6 give, from rest cotangents."""
+        """Returns the energies by eq. 4, with cosine and sine of the angle by eqs. 5 and 6, from rest cotangents."""
         e0, e1, e2, e3, e4 = edges(x)
         t0 = -(self.c03[:, None] * e1 + self.c01[:, None] * e3)
         t1 = -(self.c04[:, None] * e2 + self.c02[:, None] * e4)
@@ -167,7 +168,7 @@ class Hinges:
         return 3 * self.stiffness * self.length**2 / self.area * bent
 
     def cubic(self, x):
-        """The same, less the multiples of squared edge lengths that balance it at rest."""
+        """Returns cubic_2007() less the multiples of squared edge lengths that make its gradient vanish at rest."""
         if self.correction is None:
             slopes, lengths = gradient(self.cubic_2007, self.rest), gradient(squared_lengths, self.rest)
             q, r = np.linalg.qr(lengths)
@@ -193,14 +194,14 @@ class Constants:
         self.free = 1 - self.young01**2 / (self.young0 * self.young1)
 
     def hinge_stiffness(self, angle):
-        """Section 5.1, calibrated; `angle` is between the edge and the first axis."""
+        """Returns the stiffness by section 5.1, calibrated. angle: rad, between the edge and the first axis."""
         h = self.thickness**3 / 12
         bend = self.young0 * np.sin(angle) ** 4 + self.young1 * np.cos(angle) ** 4
         twist = self.young01 / (2 * self.free) + self.shear
         return self.share * h * (bend / self.free + twist * np.sin(2 * angle) ** 2)
 
     def membrane(self, strain):
-        """Plane stress, per area, of strains [F, 2, 2] in the material axes."""
+        """Returns the energy per area in plane stress, [F], of strains [F, 2, 2] in the material axes."""
         e00, e11, e01 = strain[:, 0, 0], strain[:, 1, 1], strain[:, 0, 1]
         stretch = self.young0 * e00**2 + self.young1 * e11**2 + 2 * self.young01 * e00 * e11
         return self.thickness * (stretch / (2 * self.free) + 2 * self.shear * e01**2)
@@ -212,7 +213,8 @@ def unit_normal(rest):
 
 
 def material_axes(rest, axis):
-    """First axis in each triangle [F, 3, 3] at rest: `degrees` from the projected x axis, or a direction."""
+    """Returns the first axis in each triangle [F, 3, 3] at rest: `degrees` from the projected x axis, or a projected
+    direction."""
     normal = unit_normal(rest)
     direction = np.array(axis.get("direction", [1.0, 0.0, 0.0]))
     along = direction - dot(normal, direction)[:, None] * normal
@@ -222,7 +224,7 @@ def material_axes(rest, axis):
 
 
 def hinge_axis_angles(vertices, faces, stencils, axes):
-    """Between edge and axis: half the mean direction of the doubled angles that the two triangles give."""
+    """Returns the angles between edges and axes: half the mean direction of the doubled angles in both triangles."""
     face_of = {}
     for face, (a, b, c) in enumerate(faces.tolist()):
         face_of.update({(a, b): face, (b, c): face, (c, a): face})
@@ -236,7 +238,7 @@ def hinge_axis_angles(vertices, faces, stencils, axes):
 
 
 def green_strain(rest, x, axes):
-    """[F, 2, 2] in an orthonormal frame of each triangle at rest that begins with `axes`."""
+    """Returns the Green strain [F, 2, 2] in an orthonormal frame of each rest triangle, whose first axis is `axes`."""
     sides = np.stack([rest[:, 1] - rest[:, 0], rest[:, 2] - rest[:, 0]], axis=1)
     other = np.cross(unit_normal(rest), axes)
     shape = np.stack([dot(sides, axes[:, None]), dot(sides, other[:, None])], axis=1)
@@ -249,7 +251,7 @@ def green_strain(rest, x, axes):
 
 
 def agree(what, found, expected, scale):
-    """Each entry to TOLERANCE of `scale`, a number or one an entry."""
+    """Requires that entries differ by at most TOLERANCE of `scale`, a number or an array with one for each entry."""
     found, expected = np.asarray(found), np.asarray(expected)
     assert found.shape == expected.shape, f"{what}: shape {found.shape}, not {expected.shape}"
     error = float(np.max(np.abs(found - expected) / scale, initial=0))
@@ -264,7 +266,7 @@ def check_energy(name, energy, stencils, x, probed, forces):
     slopes = gradient(energy, local).reshape(len(stencils), -1, 3)
     force = np.zeros_like(x)
     np.subtract.at(force, stencils, slopes)
-    # Where large forces cancel, their size is the scale; the smallest number stands for vertices without any.
+    # The scale of a force is the sum of the forces that cancel in it; for vertices without forces, the smallest number.
     size = np.full((len(x), 1), np.finfo(float).tiny)
     np.add.at(size, stencils, norm(slopes)[..., None])
     agree(f"force/{name}", forces[:], force, size)
@@ -296,7 +298,7 @@ def check_arcs(arcs, x, probed, forces):
 
 
 def matched(vertices, stencils):
-    """Row of `stencils` for each of `vertices`, which may name a hinge from either end of its edge."""
+    """Returns the row of `stencils` for each of `vertices`, which may list a hinge from either end of its edge."""
     row = {tuple(stencil): i for i, stencil in enumerate(stencils.tolist())}
     row.update({(b, a, d, c): i for (a, b, c, d), i in list(row.items())})
     found = [row[tuple(hinge)] for hinge in vertices.tolist()]
@@ -357,7 +359,7 @@ def check(sherd, rest, x, faces, material):
         probed = run_probe(sherd, folder, rest, x, faces, material)
         with h5py.File(folder / "probe.h5", "r") as file:
             assert (probed["vertices"], probed["faces"], probed["hinges"]) == (len(rest), len(faces), len(stencils))
-            # A given stiffness of hinges says nothing of the plate that coupled hinges stand for.
+            # Coupled hinges need the plate's material, which a given stiffness of hinges does not tell.
             coupled = "bending_stiffness" not in material
             others = {"membrane_arc"} | ({"bending_coupled", "bending_coupled_cubic"} if coupled else set())
             assert set(file["force"]) == set(probed["energy"]) == set(energies) | others

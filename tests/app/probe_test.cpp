@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `sherd probe` through the real program. That its numbers are right is shown by probe_reference.py; here,
-// that nobody is given numbers of other meshes, other vertices or another material than they meant.
+// `sherd probe` through the real program. probe_reference.py verifies its numbers; here, numbers of other
+// meshes, vertices or materials than given must be refused.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,7 +27,7 @@ f 1 2 4
 f 1 5 2
 )";
 
-/// rest.obj, deformed.obj and material.toml in a folder of their own.
+/// Files rest.obj, deformed.obj and material.toml in a folder of their own.
 struct ProbeTest : testing::Test {
     ProbeTest() {
         directory.write("rest.obj", fold);
@@ -83,7 +83,7 @@ TEST_F(ProbeTest, NumbersOfTheFileWithZeroForceWhereNoFaceIs) {
     }
 }
 
-// The fold bends towards the faces' normals, so that their tops are squeezed.
+// The fold bends towards the faces' normals, so that their tops are compressed.
 TEST_F(ProbeTest, StressIsLargestWhereTheFoldIsStretched) {
     directory.write("rest.obj", replaced(fold, "v 0.6 -0.5 0.4", "v 0.6 -0.5 0"));
     directory.write("deformed.obj", replaced(fold, "v 0.6 -0.5 0.4", "v 0.6 -0.49999 0.003"));

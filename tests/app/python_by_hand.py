@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What Python does to a simulation between two steps: forces, motions, breaking."""
+"""Tests of changes that Python makes between two steps: forces, motions, failure of edges."""
 import unittest
 
 import numpy
@@ -25,7 +25,7 @@ def made(scene, scheme):
 
 
 def middle_line(simulation):
-    """The edges [n, 2] along the line x = 0, or the one next to it, that parts the square."""
+    """Returns the edges [n, 2] along a line of constant x that divides the square."""
     state = simulation.snapshot()
     x = state.rest_positions[:, 0]
     line = numpy.unique(x.round(9))[2]
@@ -92,7 +92,7 @@ class Motions(unittest.TestCase):
                 numpy.testing.assert_allclose(simulation.positions[held], places, atol=1e-12)
             self.assertGreater(simulation.report.work_of_supports, 0)
             self.assertGreater(numpy.linalg.norm(simulation.reactions["sheet.square.pin"][0]), 0)
-            simulation.run(until=7 * STEP)  # where they stay
+            simulation.run(until=7 * STEP)  # the vertices stay there
             numpy.testing.assert_allclose(simulation.positions[held], places, atol=1e-12)
 
     def test_each_has_a_way_of_its_own_also_when_it_has_split(self):
@@ -101,7 +101,7 @@ class Motions(unittest.TestCase):
         y = state.positions[:, 1]
         row = numpy.unique(y.round(9))[2]
         held = numpy.flatnonzero(simulation.pinned)
-        simulation.prescribe(held, simulation.positions[held], STEP)  # ways that copies inherit
+        simulation.prescribe(held, simulation.positions[held], STEP)  # prescribed motions, which copies inherit
         simulation.step()
         simulation.break_edges(state.edges[(abs(y[state.edges] - row) < 1e-6).all(1)])
         held = numpy.flatnonzero(simulation.pinned)
@@ -137,7 +137,7 @@ class Breaking(unittest.TestCase):
                 simulation.break_edges(line)
                 state = simulation.snapshot(fields=["stress"])
                 self.assertEqual(state.face_fragments.max(), 1)
-                self.assertEqual(len(simulation.events["failure"]["edge"]), 0)  # of steps so far
+                self.assertEqual(len(simulation.events["failure"]["edge"]), 0)  # events come with the next step
                 numpy.testing.assert_allclose(simulation.masses @ simulation.velocities, momentum, atol=1e-12)
                 simulation.run(until=(steps + 2) * STEP)
                 self.assertEqual(simulation.report.fragments, 2)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python_examples.py FOLDER: each example for Python in FOLDER runs, and says what it is about."""
+"""python_examples.py FOLDER: runs each Python example in FOLDER and checks the numbers that it prints."""
 import pathlib
 import re
 import subprocess
@@ -11,7 +11,7 @@ FOLDER = pathlib.Path(sys.argv.pop(1)).resolve()
 
 
 def said_by(name, folder=None):
-    """What an example prints, which must be nothing but results."""
+    """Returns the output of an example, which must print results only and no warnings."""
     with tempfile.TemporaryDirectory() as own:
         done = subprocess.run([sys.executable, "-W", "error", FOLDER / f"{name}.py"], cwd=folder or own,
                               capture_output=True, text=True)
@@ -37,7 +37,7 @@ class Examples(unittest.TestCase):
             self.assertTrue(pathlib.Path(folder, "plate.h5").exists())
         self.assertIn("0.010 s: ", said)
         self.assertIn("11 frames", said)
-        self.assertGreater(numbers_in(said.splitlines()[-1])[0], 0)  # into cracks
+        self.assertGreater(numbers_in(said.splitlines()[-1])[0], 0)  # energy lost to cracks, J
 
     def test_moving_load(self):
         deflection, _, static = numbers_in(said_by("moving_load"))
@@ -60,7 +60,7 @@ class Examples(unittest.TestCase):
         self.assertEqual([numbers_in(mode)[1] for mode in modes[:4]], [2, 2, 3, 3])
         frequencies = [numbers_in(mode)[0] for mode in modes]
         self.assertEqual(frequencies, sorted(frequencies))
-        self.assertAlmostEqual(frequencies[0] / frequencies[1], 1, delta=0.01)  # a pair
+        self.assertAlmostEqual(frequencies[0] / frequencies[1], 1, delta=0.01)  # two modes with the same frequency
 
     def test_trampoline(self):
         touched, sinks = said_by("trampoline").splitlines()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Meshes of arrays: opened by sherd.cut(), as sheets of a scene, and their mechanics alone."""
+"""Tests of meshes that are given as arrays: sherd.cut(), sheets of a scene, and sherd.Mechanics."""
 import unittest
 
 import numpy
@@ -8,7 +8,8 @@ import sherd
 
 
 def grid(cells, size):
-    """A square of 2 * cells^2 triangles: positions [V, 3], faces [F, 3]."""
+    """Returns a square of 2 * cells^2 triangles: positions [V, 3], faces [F, 3], and vertices [cells + 1, cells + 1] by
+    column and row."""
     x, y = numpy.meshgrid(numpy.linspace(0, size, cells + 1), numpy.linspace(0, size, cells + 1), indexing="ij")
     positions = numpy.stack([x.ravel(), y.ravel(), 0 * x.ravel()], axis=1)
     number = numpy.arange(len(positions)).reshape(cells + 1, cells + 1)

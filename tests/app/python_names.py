@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Whatever is public in `sherd` says in help(sherd) what it is, and the stub of what is compiled has the same names."""
+"""Checks that help(sherd) describes all public names, and that the stub has the names of the compiled module."""
 import ast
 import inspect
 import pathlib
@@ -17,7 +17,7 @@ def is_public(name):
 
 
 def members(kind):
-    """What a compiled class has of its own, by name, without what Python and pybind11 add."""
+    """Returns the members of a compiled class by name, without those that Python and pybind11 add."""
     return {name: member for name, member in vars(kind).items()
             if name in ("__len__",) or not name.startswith("__") and not name.startswith("_pybind11")}
 

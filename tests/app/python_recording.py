@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python_recording.py SHERD: sherd.record() writes what the program writes, and sherd.Recording reads it."""
+"""python_recording.py SHERD: tests that sherd.record() writes the program's recordings, and sherd.Recording."""
 import json
 import pathlib
 import subprocess
@@ -14,11 +14,11 @@ import sherd
 
 PROGRAM = pathlib.Path(sys.argv.pop(1)).resolve()
 SCENE = pathlib.Path(__file__).resolve().parents[2] / "scenes/plate_drop.toml"
-DURATION = 0.004  # by when it is in pieces
+DURATION = 0.004  # s, after which the plate is in pieces
 
 
 def contents(file):
-    """All datasets and attributes of a recording but the wall time."""
+    """Returns all datasets and attributes of a recording except for the wall time."""
     found = {}
 
     def visit(name, item):
@@ -29,7 +29,7 @@ def contents(file):
     with h5py.File(file) as opened:
         visit("", opened)
         opened.visititems(visit)
-        for name, frame in opened["frames"].items():  # links to meshes at rest are not visited
+        for name, frame in opened["frames"].items():  # visititems() does not follow links to rest meshes
             found[f"{name}/rest"] = frame["rest/position"][()].tobytes()
     return found
 

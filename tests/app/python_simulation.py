@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python_simulation.py SHERD: what `import sherd` steps is what the program steps; errors, interruption and threads."""
+"""python_simulation.py SHERD: tests sherd.Simulation against the program, and errors, interruption and threads."""
 import _thread
 import pathlib
 import subprocess
@@ -31,7 +31,7 @@ SQUARE = {
 
 
 def recorded(folder, *arguments):
-    """The recording that the program makes."""
+    """Returns a recording that the program has made."""
     file = pathlib.Path(folder) / "program.h5"
     subprocess.run([PROGRAM, "run", *map(str, arguments), "-o", file], check=True, capture_output=True)
     return file
@@ -108,7 +108,7 @@ class State(unittest.TestCase):
         simulation.run()
         numpy.testing.assert_array_equal(before.positions, copy)
         self.assertGreater(len(simulation.positions), vertices)
-        view = simulation.snapshot().positions  # whose snapshot nobody else keeps
+        view = simulation.snapshot().positions  # the view alone keeps its snapshot alive
         numpy.testing.assert_array_equal(view, simulation.positions)
 
     def test_copies_are_the_callers_own(self):
@@ -203,7 +203,7 @@ class Interruption(unittest.TestCase):
 
         def interrupt(report):
             if report.step == 2:
-                _thread.interrupt_main()  # as Ctrl-C does
+                _thread.interrupt_main()  # same effect as Ctrl-C
 
         with self.assertRaises(KeyboardInterrupt):
             simulation.run(observe=interrupt)
@@ -246,7 +246,7 @@ print("the program ends here")
         while thread.is_alive() and simulation.time < 0.02:
             try:
                 simulation.step()
-            except sherd.Error as error:  # it was looking just then
+            except sherd.Error as error:  # the other thread was reading at that time
                 self.assertIn("another thread", str(error))
         stop.set()
         thread.join()

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""readme_commands.py SHERD: the commands of the README's first ten minutes, one after the other, as a newcomer types them.
+"""readme_commands.py SHERD: runs the commands of the README's section "The first ten minutes" one after the other.
 
-The plate is coarser and falls for a shorter time: its scene lies in the working folder, where it comes before the one
-that the program brings along."""
+The plate is coarser and falls for a shorter time: its scene lies in the working folder, where it takes precedence over
+the installed one."""
 import os
 import pathlib
 import re
@@ -17,7 +17,7 @@ SHORTER = [(r"^duration = .*", "duration = 0.002"), (r"edge_length = [0-9.e-]+",
 
 
 def commands():
-    """The block of the section, without the alias."""
+    """Returns the commands of the section, without the alias."""
     section = (TOP / "README.md").read_text().split("\n## The first ten minutes\n")[1].split("\n## ")[0]
     return [line[4:] for line in re.findall(r"^    .*", section, re.MULTILINE) if not line.startswith("    alias ")]
 

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """resume_kills.py SHERD [--kills N] [--seed N] [SCENE ...]
 
-Runs scenes without interruption, and again with SIGKILLs at random moments, each followed by `sherd run --resume`:
-while it steps, records, writes a checkpoint, or puts the state of one back. Then holds the two recordings against each
-other, dataset by dataset and bit by bit; only `wall_seconds` may differ. When a run ends before all kills are spent, it
-begins anew. Each scene is killed N times (2); without names all take part."""
+Runs scenes without interruption, and again with SIGKILLs at random times, each followed by `sherd run --resume`: while
+the run makes steps, records, writes a checkpoint, or restores one. Then compares the two recordings, dataset by dataset
+and bit by bit; only `wall_seconds` may differ. If a run ends before all kills have been made, another run of the scene
+follows. Each scene is killed N times (2). SCENE: names of the scenes here, by default all."""
 
 import argparse
 import os
@@ -23,7 +23,7 @@ import recording_content  # noqa: E402
 
 
 def falling_plate(duration, every, solver, material=""):
-    """A plate that falls onto the floor, with a ball behind it, in steps of this kind."""
+    """Returns the scene of a plate that falls onto the floor, followed by a ball, with the given solver."""
     return f"""
 duration = {duration}
 seed = 6
@@ -49,7 +49,7 @@ checkpoint = 0.1
 
 
 SCENES = {
-    # Implicit steps, strength: bodies, wind with gusts, an obstacle with a surface, one that moves, a moving pin.
+    # Implicit steps, strength: bodies, wind with gusts, fixed and moving obstacles, a moving pin.
     "implicit": """
 duration = 0.012
 seed = 4
@@ -90,13 +90,13 @@ friction = 0.2
 every = 1e-3
 checkpoint = 0.1
 """,
-    # Implicit and explicit steps by turns, with what has to come along.
+    # Implicit and explicit steps in alternation, with the state that passes from one scheme to the other.
     "auto": falling_plate(0.003, 2e-4, 'scheme = "auto"\ndamping = { stiffness = 2e-8, mass = 1 }'),
-    # BDF2 with steps that choose their length: what it remembers of the last step, and what bends keep.
+    # BDF2 with adaptive steps, which needs the previous step's state, and yielding, which changes rest angles.
     "bdf2": falling_plate(0.004, 5e-4, 'scheme = "bdf2"\nadaptive = true', ", yield = 1e6"),
     # Midpoint rule, Newton's method.
     "midpoint": falling_plate(0.004, 5e-4, 'scheme = "midpoint"\nmethod = "newton"'),
-    # Bodies that lie across edges of each other and of an obstacle, and two that press each other at the start.
+    # Bodies that rest on edges of each other and of an obstacle, and two bodies that overlap at the start.
     "edges": """
 duration = 0.015
 seed = 6
@@ -159,7 +159,7 @@ load = 0.6
 [output]
 checkpoint = 0.1
 """,
-    # Explicit steps, toughness: cracks that cut faces and branch, edges that fade, a clamp, a body.
+    # Explicit steps, toughness: cracks that split faces and branch, edges with cohesive forces, a clamp, a body.
     "explicit": """
 duration = 2.5e-4
 seed = 5
@@ -203,23 +203,23 @@ def give_up(command, code, words):
 
 
 def finish(command):
-    """Lets a run come to its end."""
+    """Runs a command to its end; exits if it fails."""
     run = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, check=False, text=True)
     if run.returncode != 0:
         give_up(command, run.returncode, run.stderr)
 
 
 class Victim:
-    """A run that is killed again and again."""
+    """A run that is killed and resumed repeatedly."""
 
     def __init__(self, sherd, scene, recording, chance):
         self.command = [sherd, "run", scene, "-o", recording]
         self.recording, self.chance = recording, chance
-        self.startup = 0.3  # s, until a run that goes on makes steps; at first a guess
+        self.startup = 0.3  # s, guess of the time until a resumed run makes steps
         self.kills = 0
 
     def killed(self):
-        """Lets it run and kills it. Returns whether it ended before."""
+        """Resumes the run and kills it after a random time. Returns whether it ended before."""
         threads = str(self.chance.choice([1, 2, 4]))
         run = subprocess.Popen([*self.command, "--resume", "--threads", threads], stdout=subprocess.DEVNULL,
                                stderr=subprocess.PIPE)
@@ -244,7 +244,7 @@ class Victim:
             return False
 
     def wait_for_checkpoint(self, run):
-        """Until a checkpoint is being written; by chance a moment longer."""
+        """Waits until a checkpoint is being written, and randomly 2 ms longer. Returns whether the run has ended."""
         until = time.monotonic() + 20 * self.startup
         while time.monotonic() < until:
             if any(self.recording.parent.glob(f"{self.recording.name}.checkpoint-?.part")):

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How runs go on, through the real program: what --resume may not do is to give other bits, to do twice what
-// is done, or to lose what is there. resume_kills.py kills them.
+// Resumed runs, through the real program: --resume may not change bits, repeat finished work, or lose
+// existing data. resume_kills.py kills runs.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* two_triangles = "v 0 0 0\nv 0.1 0 0\nv 0.1 0.1 0\nv 0 0.1 0\nf 1 2 3\nf 1 3 4\n";
 
-/// A sheet of two triangles that falls into a gusty wind.
+/// Sheet of two triangles that falls into a gusty wind.
 struct Falling {
     Falling() {
         write("square.obj", two_triangles);
@@ -102,8 +102,8 @@ TEST(Resume, LeavesAFinishedRunAlone) {
     EXPECT_EQ(fs::last_write_time(scene.file("run.h5")), before);
 }
 
-// Checkpoints of a run to which nothing is left were larger than its recording. Whoever wants it longer all
-// the same must hear what that takes, and a changed scene must not pass for a run that is complete.
+// Checkpoints of a complete run were once larger than its recording. A user who wants it longer must be told
+// how, and a changed scene must not pass for a complete run.
 TEST(Resume, KeepsNoCheckpointOfACompleteRun) {
     const Falling scene;
     ASSERT_EQ(scene.run({"-o", "run.h5"}).exit_code, 0);
@@ -117,8 +117,8 @@ TEST(Resume, KeepsNoCheckpointOfACompleteRun) {
     EXPECT_NE(damped.err.find("of a scene with another text"), std::string::npos) << damped.err;
 }
 
-// The last step ends after a duration that is no number of steps, and by rounding after many that are: nine
-// steps of 0.001 s are more than 0.009 s. Such a run was said to have come too far.
+// The last step ends after a duration that is no multiple of steps, and by rounding after many that are: nine
+// steps of 0.001 s exceed 0.009 s. Such a run was once refused as too long.
 TEST(Resume, LeavesARunAloneWhoseLastStepEndsAfterItsDuration) {
     const Falling scene;
     for (const double duration : {0.0085, 0.009}) {

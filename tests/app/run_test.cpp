@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How runs end, through the real program.
+// End of runs, through the real program.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -42,8 +42,8 @@ TEST(Run, ThatCannotGoOnEndsWithARecordingOfWhatWas) {
     EXPECT_NE(info.out.find("failed: step 1"), std::string::npos) << info.out;
 }
 
-// A needle needs more explicit substeps than anyone can wait for. Whoever asked for explicit steps where
-// something strikes would not know that there were none.
+// A needle requires too many explicit substeps. A user who chose explicit steps for collisions must be told
+// that there were none.
 TEST(Run, TellsWhereExplicitStepsCouldNotGoOn) {
     const test::TemporaryDirectory directory;
     std::ofstream(directory.path / "needle.obj") << "v 0 0 0\nv 1 0 0\nv 0.5 1e-9 0\nf 1 2 3\n";
@@ -69,7 +69,7 @@ scheme = "auto"
     }));
 }
 
-// One sliver of a scan makes a run thousands of times as long, and nobody would know which.
+// A single sliver of a scan makes a run thousands of times as long, and must be named.
 TEST(Run, NamesTheFaceThatAsksForManySubsteps) {
     const test::TemporaryDirectory directory;
     std::ofstream(directory.path / "sliver.obj")
@@ -91,7 +91,7 @@ step = 1e-2
     EXPECT_EQ(result.err.find(words, found + 50), std::string::npos) << "once is enough\n" << result.err;
 }
 
-// A run that explodes is complete all the same, and its balance has an account that takes all of it.
+// A run that diverges is complete, and one term of its balance takes all of the energy.
 TEST(Run, TellsOfEnergyThatTheTimeSchemeMade) {
     const test::TemporaryDirectory directory;
     std::ofstream(directory.path / "scene.toml") << R"(
@@ -116,7 +116,7 @@ velocity = [0, 0, 60]
     }
 }
 
-// Nobody could see what a run spends its time on, or would have to filter it out of the results.
+// Users need to see what a run spends its time on, without having to filter it out of the results.
 TEST(Run, TellsBesideItsResultsWhatTimeWasSpentOn) {
     const test::TemporaryDirectory directory;
     const auto result = run_briefly("run.h5", directory);
@@ -141,7 +141,7 @@ TEST(Run, TellsBesideItsResultsWhatTimeWasSpentOn) {
     EXPECT_NEAR(solver_parts, linear_solver, 0.3);
 }
 
-// What the time was spent on would have got into a recording, or decided something.
+// Otherwise the time spent would be in a recording, or have influenced the run.
 TEST(Run, TwoRunsRecordTheSameBytesButForTheirWallTime) {
     const test::TemporaryDirectory directory;
     for (const char* name : {"one.h5", "two.h5"}) {

@@ -2,18 +2,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """same_bits.py SHERD [--seconds S] [--table] [SCENE ...]
 
-Runs the beginning of each scene that comes with the program, in each of its variants, again and again, and holds the
-recordings against each other, dataset by dataset and bit by bit; only `wall_seconds` may differ:
+Runs the beginning of each scene that is installed with the program, in each of its variants, several times, and
+compares the recordings, dataset by dataset and bit by bit; only `wall_seconds` may differ:
 
-    again        the same command on a terminal, whose progress line it draws; memory that the program is given is not
-                 zero but full of bytes that make any number senseless (MALLOC_PERTURB_)
-    two, four    with two threads and with four, where all others have one
-    once         with the first and the last frame alone: all steps and the last frame are the same
-    killed       stopped by SIGKILL on its way, and resumed with two threads
+    again        the same command on a terminal, with a progress line; allocated memory is not zero but filled with
+                 bytes that make numbers senseless (MALLOC_PERTURB_)
+    two, four    with two threads and with four, instead of one
+    once         with the first and the last frame only: all steps and the last frame are compared
+    killed       killed by SIGKILL on its way, and resumed with two threads
 
-The beginning is what one thread makes in S seconds of processor time (5), or all of it. SCENE: the beginning of a name
-(plate_drop, paper/figure_3). SHERD_SHORT in the environment: every sixth scene, for one second. --table: in Markdown.
-Exit code 1: something differs."""
+The beginning is the part that one thread computes in S seconds of processor time (5), or the whole scene. SCENE: the
+beginning of a name (plate_drop, paper/figure_3). SHERD_SHORT in the environment: every sixth scene, for one second.
+--table: prints a Markdown table. Exit code 1: recordings differ."""
 
 import argparse
 import os
@@ -37,10 +37,10 @@ WAYS = ("again", "two", "four", "once", "killed")
 
 
 def cases(beginnings):
-    """(name, scene, variant) of the scenes whose names begin so; variant: "" where there is none."""
+    """Yields (name, scene, variant) of the scenes with these beginnings of names; variant: "" if there is none."""
     for scene in sorted((ROOT / "scenes").rglob("*.toml")):
         name = str(scene.relative_to(ROOT / "scenes").with_suffix(""))
-        if scene.parent.name == "studies":  # which are no scenes: they run some of the others
+        if scene.parent.name == "studies":  # studies are not scenes, but run some of them
             continue
         if beginnings and not any(name.startswith(beginning) for beginning in beginnings):
             continue
@@ -50,7 +50,7 @@ def cases(beginnings):
 
 
 def processor_seconds(process):
-    """What a process that runs has used, or 0."""
+    """Returns the processor time (s) of a running process, 0 if it has ended."""
     try:
         fields = pathlib.Path(f"/proc/{process.pid}/stat").read_text().rpartition(")")[2].split()
     except OSError:
@@ -59,7 +59,7 @@ def processor_seconds(process):
 
 
 class Case:
-    """One scene, its beginning, and all that is run of it."""
+    """The beginning of a scene, and its runs that are compared."""
 
     def __init__(self, sherd, scene, variant, folder):
         self.command = [sherd, "run", str(scene), "--set", "output.checkpoint=0.3"]
@@ -77,7 +77,7 @@ class Case:
             sys.exit(f"{' '.join(map(str, process.args))} ended with {process.returncode}:\n{words}")
 
     def begin(self, seconds):
-        """Finds where the beginning ends, and makes the recording that the others are held against."""
+        """Finds the end of the beginning, and makes the recording with which the others are compared."""
         process = self.start("found", "--threads", "1")
         while process.poll() is None and processor_seconds(process) < seconds:
             time.sleep(0.02)
@@ -89,7 +89,7 @@ class Case:
         self.end(self.start("first", "--threads", "1", *self.until), 0)
 
     def again(self):
-        """On a terminal; with memory that is not zero."""
+        """Runs the same command on a terminal, with memory that is not zero."""
         terminal, end = pty.openpty()
         reader = threading.Thread(target=drained, args=[terminal])
         reader.start()
@@ -112,7 +112,7 @@ class Case:
         return self.threads("four", 4)
 
     def once(self):
-        """Frames are numbered otherwise there: only the steps, and what the last frame holds, are compared."""
+        """Runs with two frames. Compares steps and the content of the last frame only, since frame numbers differ."""
         self.end(self.start("once", "--threads", "1", "--set", "output.every=1e9", *self.until), 0)
         one, same = (at_the_end(self.folder / f"{name}.h5") for name in ("first", "once"))
         return [path for path in sorted({*one, *same}) if one.get(path) != same.get(path)]
@@ -129,13 +129,13 @@ class Case:
         return recording_content.differences(self.recording, self.folder / "killed.h5")
 
     def size(self):
-        """Steps, and edges that broke."""
+        """Returns the numbers of steps and of edges that broke."""
         with h5py.File(self.recording) as recording:
             return len(recording["steps/time"]), len(recording["events/failure/time"])
 
 
 def at_the_end(recording):
-    """What its steps and its last frame hold; its mesh at rest, which may be another frame's, too."""
+    """Returns the content of a recording's steps, last frame and that frame's rest mesh, which frames may share."""
     with h5py.File(recording) as file:
         last = file["frames"][sorted(file["frames"])[-1]]
         parts = {"steps": file["steps"], "last": last} | ({"rest": last["rest"]} if "rest" in last else {})

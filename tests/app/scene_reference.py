@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """scene_reference.py SHERD SOURCES REFERENCE
 
-Holds scenes/README.md (REFERENCE) against the program: every key that the reader of scenes (SOURCES: app/scene/read) knows
-is in a table of it, every key in its tables is known, and a plain number, `true`, `false` or array that it gives as
-a default is the one that the program names when the key has a wrong type. A key that is added to one of them only
-fails here."""
+Compares scenes/README.md (REFERENCE) with the program: every key that the reader of scenes (SOURCES: app/scene/read)
+knows is in one of its tables, every key in the tables is known to the reader, and defaults that are a plain number,
+`true`, `false` or an array are those that the program reports when the key has a wrong type. Fails if a key is added to
+the reference or the program only."""
 
 import collections
 import pathlib
@@ -14,7 +14,7 @@ import sys
 import tempfile
 import tomllib
 
-# Where the rows of a table of the reference stand in a scene: the heading (or first column), then the place.
+# Places in a scene of the keys in the reference's tables, by the heading (or first column) of the table.
 PLACES = {
     "The scene": "",
     "`[sheet.NAME]`: what bends and breaks": "sheet.NAME",
@@ -41,7 +41,7 @@ PLACES = {
     "Statics: load instead of time": "solver",
     "`[[variant]]`: several scenes in one file": "variant",
 }
-# What the reference tells by "as for ...".
+# Places whose keys the reference describes by "as for ..." another place.
 SAME = {
     "sheet.NAME.clamp": "sheet.NAME.pin",
     "sheet.NAME.pin.keys": "obstacle.NAME.keys",
@@ -59,7 +59,7 @@ SOLIDS = ["plane", "sphere", "box", "cylinder", "mesh", "vdb"]
 
 
 def scene():
-    """A scene with every table that there is; KEYS: where keys go that make the program speak."""
+    """Returns a scene with all kinds of tables; KEYS: places for keys that make the program report problems."""
     keys = "{ time = 0, rotate = { KEYS }, KEYS }"
     pin = f"{{ boundary = true, keys = [{keys}], KEYS }}"
     lines = ["KEYS", "output = { KEYS }", "contact = { KEYS }", "solver = { damping = { KEYS }, KEYS }", "gauge = [{ KEYS }]", "[force]", "KEYS",
@@ -77,7 +77,7 @@ def scene():
 
 
 def told(sherd, keys):
-    """The problems that the program finds in the scene when `keys`, a line, is everywhere: (place, what)."""
+    """Yields (place, message) of the problems that the program reports when the line `keys` is in all tables."""
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / "scene.toml"
         given = re.escape(keys.split(" ")[0])
@@ -99,7 +99,7 @@ def known_keys(sherd):
 
 
 def defaults(sherd, names):
-    """The values that the program takes for what is left out, as it tells them: {place: TOML}."""
+    """Returns the default values that the program reports: {place: TOML}."""
     found = collections.defaultdict(set)
     for name in sorted(names):
         for place, what in told(sherd, f'{name} = "zzz"'):
@@ -109,7 +109,7 @@ def defaults(sherd, names):
 
 
 def asked_names(sources):
-    """Every key that the source asks a table for, wherever it does."""
+    """Returns the names of all keys that the source reads from tables."""
     names = set()
     for file in sorted(sources.glob("*.cpp")):
         text = file.read_text(encoding="utf-8")
@@ -119,7 +119,7 @@ def asked_names(sources):
 
 
 def inline_keys(place, cell):
-    """The keys of tables that are written out in a cell, `{ radius = r, centre = [0, 0, 0] }`."""
+    """Yields the keys of inline tables in a cell, `{ radius = r, centre = [0, 0, 0] }`."""
     for code in re.findall(r"`(?:\w+ = )?(\{.*?\})(?:`| \(| or)", cell):
         plain = re.sub(r"\.\.\.|(?<=[=\[,] )[a-z]\b|(?<=\[)[a-z]\b", "0", code)
         yield from written_keys(place, tomllib.loads(f"x = {plain}")["x"])
@@ -133,7 +133,7 @@ def written_keys(place, table):
 
 
 def rows(text):
-    """(place, cells, names of columns) of each row of a table of keys."""
+    """Yields (place, cells, names of columns) of each row of the tables of keys."""
     heading, columns, previous = "", None, ""
     for line in text.splitlines():
         cells = [cell.strip() for cell in re.split(r"(?<!\\)\|", line)[1:-1]] if line.startswith("|") else None
@@ -151,7 +151,7 @@ def rows(text):
 
 
 def documented(text):
-    """The keys of the reference's tables, and their defaults as written."""
+    """Returns the keys of the reference's tables, and their defaults as written."""
     keys, values = set(), {}
     for place, cells, columns in rows(text):
         prefix = place + "." if place else ""
@@ -170,7 +170,7 @@ def documented(text):
 
 
 def with_tables(keys):
-    """The keys and all tables that they are in, those told by "as for" under the place that they are told at."""
+    """Returns the keys and all tables that contain them; places in SAME are replaced by those that describe them."""
     result = set()
     for key in keys:
         for other, place in SAME.items():

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs the shipped scenes whole, through the real program, and holds every frame against what must be true of
-// any run. Also tells what a user would see: how many shards, how much dust.
+// Runs the shipped scenes whole, through the real program, and checks the invariants of any run in every
+// frame. Also reports the numbers of fragments and of single faces among them.
 #include <CGAL/boost/graph/helpers.h>
 #include <gtest/gtest.h>
 
@@ -42,7 +42,7 @@ void expect_manifold(const Snapshot& frame) {
     }
 }
 
-/// Faces keep their size at rest, or share it where cracks made others of them; nothing is lost or made.
+/// Faces must keep their size at rest, or divide it where cracks split them; nothing may be lost or added.
 void expect_same_matter(const Snapshot& frame, const Snapshot& first) {
     EXPECT_NEAR(frame.mass.sum(), first.mass.sum(), 1e-13 * first.mass.sum());
     ASSERT_EQ(frame.rest.faces.size(), frame.faces.size());
@@ -62,14 +62,13 @@ void expect_same_matter(const Snapshot& frame, const Snapshot& first) {
     EXPECT_TRUE(!is_unchanged || frame.rest.area == first.rest.area);
 }
 
-/// Nothing may pass through anything, but for the lips of cracks, by less than a tenth of the thickness.
+/// Nothing may pass through anything, except for crack faces (lips), by less than a tenth of the thickness.
 void expect_no_intersection(const Snapshot& frame) {
     for (const auto& [a, b] : test::frame_intersections(frame).passing)
         ADD_FAILURE() << "faces " << a.idx() << " and " << b.idx() << " pass through each other";
 }
 
-/// Edge states and vertices as the corner rule gives them for the edges that have failed, in the mesh at
-/// rest.
+/// Edge states and vertices must be those of the corner rule for the failed edges, in the mesh at rest.
 void expect_corner_rule(const Snapshot& frame) {
     const auto at_rest = [&](std::size_t edge) {
         return CornerRule::ordered(frame.original[frame.edges[edge][0]],
@@ -95,7 +94,7 @@ void expect_corner_rule(const Snapshot& frame) {
     }
 }
 
-/// Gravity is all that acts between two steps at which nothing touches.
+/// Only gravity may act between two steps without contact.
 void expect_momentum(const std::vector<StepReport>& steps, double mass, const Vector3d& gravity) {
     for (std::size_t i = 1; i < steps.size(); ++i) {
         if (steps[i].contacts > 0 || steps[i - 1].contacts > 0) continue;
@@ -105,7 +104,7 @@ void expect_momentum(const std::vector<StepReport>& steps, double mass, const Ve
     }
 }
 
-/// Where nothing is moved from outside no step may add energy, whatever breaks and touches in it.
+/// Without prescribed motion no step may add energy, whatever fractures and collides in it.
 void expect_no_energy_from_nowhere(const std::vector<StepReport>& steps) {
     const auto energy = [](const StepReport& step) {
         return step.kinetic + step.bending + step.membrane + step.gravity + step.contact;
@@ -115,20 +114,21 @@ void expect_no_energy_from_nowhere(const std::vector<StepReport>& steps) {
             << "step " << steps[i].step;
 }
 
-/// What neither work nor a loss accounts for: were it more, a force would be missing in the balance, or the
-/// losses that are told wrong.
+/// Energy residual: if it were larger, a force would be missing in the balance, or the reported losses be
+/// wrong.
 void expect_balance(const std::vector<StepReport>& steps, bool is_explicit) {
     double largest = 0, unexplained = 0;
     for (const StepReport& step : steps) {
         largest = std::max({largest, step.kinetic, step.bending, step.membrane, step.contact});
         unexplained = std::max(unexplained, std::abs(step.unexplained));
     }
-    // Implicit Euler takes energy; central differences neither take nor make any, but for what they swing by.
+    // Implicit Euler dissipates energy; central differences neither dissipate nor add any, apart from an
+    // oscillation.
     EXPECT_GT(steps.back().lost_to_scheme, is_explicit ? -1e-3 * largest : 0);
     EXPECT_LT(unexplained, 1e-6 * largest);
 }
 
-// What the scene promises: shards, not dust.
+// Expected result of the scene: large fragments, not dust.
 void expect_shards(const Snapshot& last) {
     std::map<Index, std::size_t> faces;
     for (const Index fragment : last.face_fragment) ++faces[fragment];
@@ -142,15 +142,15 @@ void expect_shards(const Snapshot& last) {
     EXPECT_GE(large, 3);
 }
 
-/// A scene of the project, and what is set to make the run shorter.
+/// Scene of the project, and settings that make the run shorter.
 struct ShippedScene {
     std::string name;
-    std::string duration = {};        ///< s; none: the scene's own
+    std::string duration = {};        ///< s; empty: the scene's own
     std::string short_duration = {};  ///< s, in the short form of a long test
     std::vector<std::string> settings = {};
 };
 
-/// Whether tests/long --short asks for less.
+/// Whether tests/long --short requests the short form.
 bool is_short() {
     return std::getenv("SHERD_SHORT") != nullptr;
 }

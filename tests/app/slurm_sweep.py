@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""slurm_sweep.py SHERD: a study on a Slurm of its own: this machine, in a temporary folder, as the user that runs this.
+"""slurm_sweep.py SHERD: runs a study on a temporary Slurm cluster on this machine, as this user.
 
-A task is cancelled and the controller is killed and started again in the middle; the rest is submitted again. The table
-must be that of a sweep without Slurm. Exits with 77 where Slurm is not installed or may not be started.
+Cancels a task and restarts the controller while the study runs, then submits the rest. The table must be that of a
+sweep without Slurm. Exit code 77: Slurm is not installed or may not be started.
 """
 import csv
 import getpass
@@ -85,7 +85,7 @@ def wait_until(true, what):
 
 
 class Cluster:
-    """munged, slurmctld and slurmd in a folder, ended with it."""
+    """The daemons munged, slurmctld and slurmd, with all their files in a folder."""
 
     def __init__(self, folder):
         self.folder = folder
@@ -112,7 +112,7 @@ class Cluster:
         self.start("slurmctld", "-D")
 
     def saved_at(self):
-        """When the controller has written down what jobs there are."""
+        """Returns the time (s since 1970) at which the controller last saved the state of jobs."""
         return (self.folder / "state" / "job_state").stat().st_mtime
 
     def kill_controller(self):
@@ -120,7 +120,7 @@ class Cluster:
         self.daemons["slurmctld"].wait()
 
     def is_idle(self):
-        """Whether the node takes jobs, and none is there."""
+        """Returns whether the node accepts jobs and has none."""
         state = subprocess.run(["sinfo", "--noheader", "--format", "%T"], capture_output=True, text=True).stdout
         return state.strip() == "idle"
 
@@ -144,7 +144,7 @@ class Cluster:
 
 
 def queue():
-    """Tasks of all jobs that have not ended, with their states; None while the controller does not answer."""
+    """Returns the states of the tasks of all jobs that have not ended; None while the controller does not answer."""
     asked = subprocess.run(["squeue", "--noheader", "--array", "--format", "%F_%K %T"], capture_output=True, text=True)
     if asked.returncode != 0:
         return None
@@ -153,7 +153,7 @@ def queue():
 
 
 def table(folder):
-    """The rows of a study without their times."""
+    """Returns the rows of a study without their times."""
     with open(folder / "study.csv", newline="") as file:
         return [{key: value for key, value in row.items() if not key.endswith("_seconds")}
                 for row in csv.DictReader(file)]
@@ -193,7 +193,7 @@ def try_sweep(sherd, folder, cluster):
     subprocess.run(["scancel", running[0]], check=True)
     cancelled = time.time()
     wait_until(lambda: running[0] not in (queue() or running), "the task is cancelled")
-    # Else the next controller begins the task anew.
+    # Otherwise the next controller would restart the task.
     wait_until(lambda: cluster.saved_at() > cancelled, "the controller has saved its state")
     cluster.kill_controller()
     assert "rows         12:" in sweep("--status"), "the rows are told without a controller, too"
@@ -220,7 +220,7 @@ def main():
         skip(f"{', '.join(missing)} are not installed (packages slurm-wlm and munge)")
     with tempfile.TemporaryDirectory(prefix="sherd-test-") as name:
         folder = pathlib.Path(name)
-        folder.chmod(0o755)  # munge wants all to reach its socket
+        folder.chmod(0o755)  # munge requires that all users can reach its socket
         cluster = Cluster(folder)
         try:
             if not cluster.comes_up():

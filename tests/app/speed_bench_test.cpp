@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What `sherd bench paper`, `scaling` and `cracking` compare: were runs not begun alike, steps counted twice,
-// or ratios taken of the wrong ones, the tables of speed would say nothing.
+// Comparisons of `sherd bench paper`, `scaling` and `cracking`: if runs began differently, steps were counted
+// twice, or ratios had wrong references, the tables of speed would be meaningless.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -45,8 +45,7 @@ TEST(SpeedStatistics, AreThoseOfKnownNumbers) {
     EXPECT_NEAR(fitted_exponent(points), 1.25, 1e-12);
 }
 
-// A choice that a scene does not take, or that stands beside one that comes later, would end hours of
-// measuring.
+// A choice that a scene refuses, or whose reference comes later in the list, would end hours of measuring.
 TEST(SolverChoices, AreReadAndStandBesideEarlierOnes) {
     const std::vector<SolverChoice> choices = solver_choices();
     std::set<std::string> names;
@@ -63,12 +62,11 @@ TEST(SolverChoices, AreReadAndStandBesideEarlierOnes) {
 }
 
 TEST(Race, IsOfTheSameLapsForAll) {
-    const std::string method =
-        "solver.method=newton";  // of which one factorization is known for each iteration
+    const std::string method = "solver.method=newton";  // one factorization for each iteration
     const std::vector<Scene> scenes{small_plate({"solver.bending=cubic", method}),
                                     small_plate({"solver.bending=cubic", method}),
                                     small_plate({"solver.bending=coupled", method})};
-    // Laps of milliseconds may take several times as long where the machine does other work.
+    // Laps of milliseconds may take several times as long on a busy machine.
     const std::vector<RaceResult> results =
         race(scenes, {.step = 1e-4, .settling = 2, .laps = 3, .allowance = 1e9});
     ASSERT_EQ(results.size(), 3u);
@@ -85,8 +83,8 @@ TEST(Race, IsOfTheSameLapsForAll) {
     EXPECT_GT((results[0].end.position - results[2].end.position).cwiseAbs().maxCoeff(), 0);
 }
 
-// A race from a state is one that goes on, but for what is not in positions and velocities: it begins with
-// another factor, and ends elsewhere within the tolerance.
+// A race from a state continues it, except for data beyond positions and velocities: it begins with another
+// factor, and ends at other positions within the tolerance.
 TEST(Race, BeginsWhereItIsTold) {
     const Scene scene = small_plate({});
     MeasuredRun before(scene);
@@ -106,18 +104,18 @@ TEST(Race, EndsForOneThatTakesTooLong) {
     EXPECT_LT(results[1].cost().steps, 3);
 }
 
-// The paper's claim that the Jacobian changes the way to a minimum and not the minimum.
+// The paper claims that the Jacobian changes the path to a minimum and not the minimum.
 TEST(PaperExperiment, OfOneEnergyEndsAtOnePlace) {
     std::vector<SolverChoice> choices = solver_choices();
     std::erase_if(choices, [](const SolverChoice& choice) { return choice.is_coupled(); });
     for (const PaperScene& scene : paper_scenes()) {
-        if (scene.name == "flag") continue;  // it buckles, to one side or the other
+        if (scene.name == "flag") continue;  // buckles, to either side
         const std::vector<PaperResult> results = run_paper_case({scene, scene.steps.front(), 10, 3}, choices);
         ASSERT_EQ(results.size(), choices.size());
         for (std::size_t i = 0; i < results.size(); ++i) {
             EXPECT_TRUE(results[i].race.failure.empty()) << results[i].race.failure;
             EXPECT_GT(results[i].ratio, 0);
-            // One that took too long has no difference.
+            // A race that took too long has no difference.
             EXPECT_FALSE(results[i].difference > 1e-4) << scene.name << " " << choices[i].name;
         }
         EXPECT_EQ(results.front().ratio, 1);
@@ -138,7 +136,7 @@ TEST(MachineMemory, PeakIsOfWhatCameSinceItWasForgotten) {
     EXPECT_EQ(held.back(), 1);
 }
 
-/// How often `word` is in `text`.
+/// Number of occurrences of `word` in `text`.
 int times_in(const std::string& text, const std::string& word) {
     int found = 0;
     for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++found;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What reads recordings, on a run that splits faces: exports, pictures, the page.
+// Readers of recordings, on a run that splits faces: exports, pictures, the page.
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@
 namespace sherd::test {
 namespace {
 
-/// The split run, recorded.
+/// Recording of the split run.
 class SplitReaders : public Export {
   protected:
     SplitReaders() {
@@ -29,7 +29,7 @@ class SplitReaders : public Export {
         record(run, folder.path / "run.h5");
     }
 
-    /// Where the last frame's vertices are in a frame: each goes with its piece, which moves rigidly.
+    /// Position of a vertex of the last frame in a frame: it moves with its piece, which moves rigidly.
     Vector3d expected(Index vertex, std::size_t frame) const {
         static const std::set<Index> left{0, 1, 3, split::m};
         const Index piece = left.contains(vertex) ? 0 : 1;
@@ -38,7 +38,7 @@ class SplitReaders : public Export {
 
     ExportOptions all_frames(const std::string& format, const std::string& output) const {
         ExportOptions wanted = options(format, output);
-        wanted.slow = {1, 10};  // the frames are the samples
+        wanted.slow = {1, 10};  // frames are the samples
         return wanted;
     }
 };
@@ -63,7 +63,7 @@ TEST_F(SplitReaders, CachesHaveTheLastMeshInAllFrames) {
     EXPECT_EQ(read("out.obj").number_of_faces(), 9u);
 }
 
-// Frame by frame, from a recording in which a face is cut into ever smaller parts.
+// Frame by frame, from a recording in which a face is split into ever smaller parts.
 TEST_F(SplitReaders, GlbMovesPiecesRigidlyAndMorphsThem) {
     for (const std::string animate : {"rigid", "morph"}) {
         ExportOptions wanted = options("glb", animate + ".glb");
@@ -118,7 +118,7 @@ TEST_F(SplitReaders, MeshesOfEachFrameAreItsOwn) {
     }
 }
 
-// A part is as thick as the face that it is a part of.
+// A part must have the thickness of its parent face.
 TEST_F(SplitReaders, BodiesHaveTheThicknessOfTheFacesThatWereSplit) {
     for (const std::string frame : {"1", "4"}) {
         ExportOptions wanted = options("obj", "solid.obj");
@@ -155,9 +155,9 @@ TEST_F(SplitReaders, TheRimIsSmoothAndTheCrackBroken) {
     for (const auto& sides : {rim_edges(rest)[0], rim_edges(rest)[3]}) EXPECT_FALSE(sides[2]);
 }
 
-// Stripes that jump at the edge between two parts of a face would show a crack that is none.
+// Stripes that jump at the edge between two parts of a face would look like a crack.
 TEST_F(SplitReaders, StripesGoOnWhereAFaceWasSplit) {
-    Eigen::Matrix3Xd stripes(3, 3);  // 2 x + 3 y at the corners of the unbroken faces
+    Eigen::Matrix3Xd stripes(3, 3);  // 2 x + 3 y at the corners of the unfractured faces
     const auto value = [](const Vector3d& p) { return 2 * p.x() + 3 * p.y(); };
     for (int f = 0; f < 3; ++f)
         for (int k = 0; k < 3; ++k)
@@ -198,14 +198,14 @@ TEST_F(SplitReaders, ThePageKnowsWhereVerticesAndFacesWereBorn) {
     EXPECT_EQ(numbers(1, "parts"), (std::vector<std::uint32_t>{3, 0, 4, 1}));
     EXPECT_EQ(numbers(2, "parts"), (std::vector<std::uint32_t>{5, 2, 6, 2, 7, 3, 8, 4}));
     EXPECT_EQ(decoded<float>(page["thickness"]).size(), 9u);
-    // What opened in frames 1 to 3 is a crack, the rest the rim as it was made.
+    // Edges opened in frames 1 to 3 are a crack, the rest is the original rim.
     std::map<std::uint32_t, int> states;
     const auto lines = numbers(2, "lines");
     for (std::size_t i = 2; i < lines.size(); i += 3) ++states[lines[i]];
     EXPECT_EQ(states, (std::map<std::uint32_t, int>{{0, 5}, {2, 4}}));
 }
 
-// A face stays in the thinned mesh while parts of it come and go.
+// A face must stay in the thinned mesh while parts of it appear and vanish.
 TEST_F(SplitReaders, AThinnedMeshHasTheSameFacesInAllFrames) {
     const MeshThinning thinning(run.header, run.frames[4].face_sheet, 0.4);
     for (const Snapshot& frame : run.frames) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Recordings of runs that split faces: what is written when, what is read, and what is said of damage.
+// Recordings of runs that split faces: arrays written and read, and messages about damage.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether a frame's mesh at rest is only a name for an earlier one.
+/// Whether a frame's mesh at rest is only a link to an earlier one.
 bool is_link(const fs::path& file, std::size_t frame) {
     const hdf5::ReadableFile opened(file);
     H5L_info_t info;
@@ -51,14 +51,14 @@ TEST(SplitRecording, KeepsEveryBitAndWritesAMeshAtRestWhenItChanges) {
     EXPECT_EQ(events.face_births[5].parent, 4);
 }
 
-// Runs that only copy vertices must not pay for what others need.
+// Runs that only copy vertices must not pay for meshes at rest.
 TEST(SplitRecording, CopiesOfVerticesNeedNoMeshAtRest) {
     const TemporaryDirectory folder;
     record(synthetic_run(), folder.path / "run.h5");
     for (std::size_t k = 0; k < 3; ++k) EXPECT_TRUE(is_link(folder.path / "run.h5", k)) << k;
 }
 
-// A frame that could not be written must not be where a later one's mesh at rest is looked for.
+// A frame that could not be written must not hold the mesh at rest of a later one.
 TEST(SplitRecording, AFailedAppendIsNoOnesMeshAtRest) {
     const TemporaryDirectory folder;
     const fs::path file = folder.path / "split.h5";
@@ -103,7 +103,7 @@ TEST(SplitRecording, PlotsCracksThroughFacesAsLongAsTheyAreAtRest) {
     EXPECT_NEAR(sizes[0].x(), 0.25, 1e-15);
 }
 
-// What was born lies flat in the face that was split, and opens from there.
+// Inserted vertices lie in the face that was split, and open from there.
 TEST(SplitRecording, BetweenFramesBornVerticesComeFromTheFaceTheyWereBornIn) {
     const SyntheticRun run = split_run();
     const Snapshot opening = interpolated(run.frames[1], run.frames[2], 0.25);
@@ -131,7 +131,7 @@ TEST(SplitRecording, FramesInTheWrongOrderHaveNothingBetween) {
     EXPECT_THROW(interpolated(run.frames[3], run.frames[1], 0.5), Error);
 }
 
-/// Turns a recording of a run that split no face into one as version 2 had them.
+/// Turns a recording of a run that split no face into one of version 2.
 void make_version_2(const fs::path& file) {
     const hdf5::Handle opened = open_to_edit(file);
     for (std::size_t k = 0; k < hdf5::member_count(opened, "frames"); ++k)
@@ -180,7 +180,7 @@ TEST(SplitRecording, Version2IsReadWithTheSameAnswers) {
     EXPECT_EQ(info("old"), info("new"));
 }
 
-/// Error of reading a frame of the split run after `damage` was done to it.
+/// Returns the error of reading a frame of the split run after `damage` was done to it.
 template <class Damage>
 std::string error_after(Damage damage, std::size_t frame = 3) {
     const TemporaryDirectory folder;

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""streams.py SHERD: standard streams that are full, closed, gone or a pipe, and numbers and dashes among arguments."""
+"""streams.py SHERD: tests of standard streams that are full, closed, disconnected or pipes, and of numbers and dashes
+in arguments."""
 import os
 import pathlib
 import pty
@@ -83,7 +84,7 @@ class Streams(unittest.TestCase):
         run = subprocess.Popen([SHERD, "run", "s.toml", "-o", "r.h5", "--set", "duration=0.3"], cwd=self.folder,
                                stdin=ends[1], stdout=subprocess.DEVNULL, stderr=ends[1])
         os.close(ends[1])
-        os.read(ends[0], 1)  # it has begun to draw
+        os.read(ends[0], 1)  # waits until the program has written
         os.close(ends[0])
         self.assertEqual(run.wait(timeout=300), 0)
         self.assertEqual(self.end_of("r.h5"), "complete")

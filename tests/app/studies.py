@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs the studies that come with the program, in their quick form, as a user does who opens scenes/studies: a study
-whose scene, measure or Python file does not fit any more would be seen first by her.
+"""Runs the studies of scenes/studies in their quick form: finds studies whose scene, measure or Python file has become
+incompatible with the program.
 
     studies.py build/release/app/sherd
 """
@@ -18,7 +18,7 @@ PROGRAM = os.path.abspath(sys.argv.pop(1))
 MODULE = pathlib.Path(PROGRAM).parent / "python"
 TEXTS = {path.stem: path.read_text(encoding="utf-8") for path in STUDIES.glob("*.toml")}
 NAMES = sorted(name for name, text in TEXTS.items() if "\n[parameters]" in text)
-# A build with sanitizers has no module for Python.
+# A build with sanitizers has no Python module, which some studies need.
 RUNNABLE = [name for name in NAMES if (MODULE / "sherd").exists() or "\npython = " not in TEXTS[name]]
 
 
@@ -84,7 +84,7 @@ class Studies(unittest.TestCase):
         return self.run_program("/usr/bin/python3", str(STUDIES / script), str(table), *names)
 
     def test_the_height_and_the_power_of_tables_that_are_made_are_found(self):
-        # As many break at 1/f of the height of a half as do not at f times that.
+        # Symmetric about the height at which half break: at 1/f of it as many break as do not break at f times it.
         rows = [(h, int(i < share), 0) for h, share in ((0.125, 1), (0.25, 5), (1, 15), (2, 19)) for i in range(20)]
         self.assertIn("half of 80 break from 0.500 m", self.fitted("half_height.py", "height,broken,exit", rows))
         rows = [(x, 3 * x**0.5, 0) for x in (1, 4, 9, 16)] + [(25, 0, 0), (36, "", 0), (49, 1, 1)]

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""sweeps.py SHERD: studies through the real program, killed, interrupted, changed and tried again.
+"""sweeps.py SHERD: studies by the real program, which are killed, interrupted, changed and retried.
 
-Whatever happens on the way, a study's table is that of an undisturbed sweep, and no row is run twice that was done.
+In all cases a study's table must be that of an undisturbed sweep, and no completed row may run again.
 """
 import csv
 import os
@@ -38,7 +38,7 @@ speed = { set = "sheet.plate.velocity=[0, 0, -{}]", from = 1, to = 5, steps = 5 
 sheet.plate.fracture.strain = [0.4, 2, 20, 200]
 """
 SMALL_STUDY = STUDY.replace("to = 5, steps = 5", "to = 5, steps = 2").replace("[0.4, 2, 20, 200]", "[0.4, 20]")
-# One row of many steps, which writes checkpoints as it goes.
+# A study with a single row of many steps, which writes checkpoints.
 LONG_STUDY = """scene = "tiny.toml"
 set = ["output.checkpoint=0.05", "duration=2"]
 keep = "all"
@@ -79,12 +79,12 @@ class Sweeps(unittest.TestCase):
         return process
 
     def table(self, into="study"):
-        """The rows without their times."""
+        """Returns the rows without their times."""
         with open(self.folder / into / "study.csv", newline="") as file:
             return [{key: value for key, value in row.items() if key not in TIMES} for row in csv.DictReader(file)]
 
     def results(self, into="study"):
-        """Lines of all journals."""
+        """Returns the complete lines of all journals."""
         return [line for file in sorted((self.folder / into / "rows").glob("*.jsonl"))
                 for line in file.read_text().splitlines(keepends=True) if line.endswith("\n")]
 
@@ -94,7 +94,7 @@ class Sweeps(unittest.TestCase):
         self.assertIsNone(process.poll(), "it was over before anything could happen to it")
 
     def wait_for_checkpoint(self, process):
-        """Until a run has passed its start."""
+        """Waits until a run has written its second checkpoint."""
         checkpoints = lambda: list((self.folder / "study" / "runs").glob("*.checkpoint-2"))
         while process.poll() is None and not checkpoints():
             time.sleep(0.01)
@@ -188,7 +188,7 @@ class Sweeps(unittest.TestCase):
         self.wait_for_checkpoint(process)
         child = self.only_child(process)
         os.kill(child, signal.SIGTERM)
-        while pathlib.Path(f"/proc/{child}").exists():  # until the sweep knows how it has ended
+        while pathlib.Path(f"/proc/{child}").exists():  # until the sweep has reaped it
             time.sleep(0.001)
         process.terminate()
         out, err = process.communicate()

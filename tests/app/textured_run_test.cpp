@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// If one of these fails, a textured mesh comes out of a run with other coordinates or materials than it had.
+// Otherwise a run changes the texture coordinates or materials of a textured mesh.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -22,12 +22,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the texture coordinates are of places on the plate, on either side of the seam at x = 0.
+/// Texture coordinates of places on the plate, on either side of the seam at x = 0.
 Eigen::Vector2d texture_at(const Vector3d& place, bool left) {
     return {2 * place.x() + 0.5 * place.y() + (left ? 3 : 0), 0.25 - 4 * place.y()};
 }
 
-/// A plate of 0.2 m about the origin in squares, with a seam, and a border of materials, along x = 0.
+/// Plate of 0.2 m about the origin in squares, with a seam, and a border of materials, along x = 0.
 std::string plate_obj() {
     constexpr int squares = 10;
     std::ostringstream points, texture, faces[2];
@@ -58,14 +58,14 @@ constexpr const char* looks =
     "newmtl glaze\nKd 0.1 0.2 0.6\nmap_Kd -s 1 1 pictures/blue glaze.png\nnewmtl bare clay\nKd 0.7 0.4 0.2\n"
     "newmtl unused\nKd 1 0 0\n";
 
-/// A picture of one pixel.
+/// Picture of one pixel.
 const std::string png(
     "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1\x8\2\0\0\0\x90wS\xde\0\0\0\xcIDATx\x9c\x63\x60\x60\x60\0\0"
     "\0"
     "\4\0\1\xf6\x17\x38\x55\0\0\0\0IEND\xae\x42\x60\x82",
     69);
 
-/// The plate falls edge first onto a floor and breaks.
+/// Scene in which the plate falls edge first onto a floor and breaks.
 constexpr const char* scene = R"(duration = 0.002
 [sheet.plate]
 mesh = "plate.obj"
@@ -107,7 +107,7 @@ class TexturedRun : public testing::Test {
     TemporaryDirectory folder;
 };
 
-/// Where a corner of a face lies in the file's plate: what it is made of is flat.
+/// Place of a face's corner in the file's plate, whose faces are flat.
 Vector3d in_plate(const RestMesh& rest, std::size_t face, int corner, const Mesh& plate) {
     const Vector3d weights = place_in_parent(rest, face, corner);
     Vector3d place = Vector3d::Zero();
@@ -155,7 +155,7 @@ TEST_F(TexturedRun, ObjAndItsMaterialsAreReadBackAsTheyWereRecorded) {
     EXPECT_EQ(mtl.find("unused"), std::string::npos);
 }
 
-// Who has the handle of a cup in a group of its own wants it on the pieces.
+// Users who put the handle of a cup in a group need it on the fragments.
 TEST_F(TexturedRun, GroupsAndObjectsAreOnThePiecesAsGroups) {
     succeeds(
         {"export", "run.h5", "--to", "obj", "--sheets-only", "--fragments", "--solid", "-o", "last.obj"});
@@ -183,7 +183,7 @@ TEST_F(TexturedRun, GroupsAndObjectsAreOnThePiecesAsGroups) {
     EXPECT_NE(vtp.find("Name=\"group_names\" NumberOfTuples=\"1\""), std::string::npos);
 }
 
-// An artist gives the broken sides a texture of their own, as large as the object.
+// Artists give the broken sides a texture of their own, at the scale of the object.
 TEST_F(TexturedRun, BrokenSidesOfSolidsAreInsideAndMeasuredInMetres) {
     succeeds({"export", "run.h5", "--to", "obj", "--sheets-only", "--solid", "-o", "solid.obj"});
     const Mesh mesh = read("solid.obj");
@@ -230,7 +230,7 @@ TEST_F(TexturedRun, GlbSplitsVerticesAtSeamsOnlyAndTurnsV) {
     EXPECT_LE(vertices, static_cast<std::size_t>(frame.position.cols()) + 2 * 11) << "only the seam is split";
 }
 
-/// The names of materials of a mesh's parts.
+/// Names of the materials of a mesh's parts.
 std::set<std::string> part_materials(const Glb& glb) {
     std::set<std::string> names;
     for (const nlohmann::json& mesh : glb.json["meshes"])
@@ -239,7 +239,7 @@ std::set<std::string> part_materials(const Glb& glb) {
     return names;
 }
 
-// Without them an artist sets up every material of every shot anew.
+// Otherwise artists have to set up every material of every shot again.
 TEST_F(TexturedRun, GlbHasTheMaterialsAndTheirPictures) {
     succeeds({"export", "run.h5", "--to", "glb", "--sheets-only", "--solid", "-o", "run.glb"});
     const Glb glb(folder.contents().at(folder.path / "run.glb"));
@@ -269,7 +269,7 @@ TEST_F(TexturedRun, APictureThatIsNotThereIsToldAndTheRestIsWritten) {
     EXPECT_FALSE(glb.json.contains("images"));
 }
 
-// A shard whose edges are shaded round looks like soap.
+// A fragment whose edges are shaded round looks like soap.
 TEST_F(TexturedRun, NormalsOfSolidsAreSmoothOutsideAndHardAtTheBreak) {
     succeeds({"export", "run.h5", "--to", "glb", "--sheets-only", "--solid", "-o", "run.glb"});
     const Glb glb(folder.contents().at(folder.path / "run.glb"));
@@ -292,7 +292,7 @@ TEST_F(TexturedRun, NormalsOfSolidsAreSmoothOutsideAndHardAtTheBreak) {
     EXPECT_GT(broken, 0u);
 }
 
-// ParaView shows a picture on the sheet by them.
+// ParaView needs them to show a picture on the sheet.
 TEST_F(TexturedRun, VtpHasTextureCoordinatesOfPointsAndMaterialsOfFaces) {
     succeeds({"export", "run.h5", "--to", "pvd", "--frames", "-1", "-o", "run.pvd"});
     const std::string vtp = folder.contents().at(folder.path / "run_000004.vtp");
@@ -325,7 +325,7 @@ std::string painted_plate() {
     return ply.str();
 }
 
-// A painted scan breaks into white pieces.
+// Otherwise a painted scan breaks into white pieces.
 TEST_F(TexturedRun, ColoursOfPlyAreThoseOfTheirPlacesOnThePieces) {
     folder.write("plate.ply", painted_plate());
     succeeds({"run", "scene.toml", "-o", "painted.h5", "--set", "sheet.plate.mesh=plate.ply"});
@@ -355,7 +355,7 @@ TEST_F(TexturedRun, ColoursOfPlyAreThoseOfTheirPlacesOnThePieces) {
         EXPECT_TRUE(fragment["primitives"][0]["attributes"].contains("COLOR_0"));
 }
 
-// A run that goes on from a checkpoint has lost the looks of what broke before.
+// A run resumed from a checkpoint must keep the looks of earlier fragments.
 TEST_F(TexturedRun, LooksOfWhatBrokeGoOnWithTheRun) {
     folder.write("plate.ply", painted_plate());
     for (const std::string mesh : {"plate.obj", "plate.ply"}) {

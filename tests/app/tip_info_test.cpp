@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The list of tips. Were rows of several tips mixed, a reader would take one crack's speed for another's.
+// List of tips: if rows of several tips were mixed, a reader would take one crack's speed for another's.
 #include "app/tip_info.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sheets of uneven thickness through the whole program, beside beam theory.
+// Sheets of uneven thickness through the whole program, against beam theory.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ double taper(double x) {
 
 class UnevenBeam : public testing::Test {
   protected:
-    /// A strip along x of this thickness, clamped at x = 0.
+    /// Strip along x of this thickness, clamped at x = 0.
     std::string beam(const Profile& thickness, double edge_length = 0.025) {
         const auto value = [&](double x, double, double) { return thickness(x); };
         write_vdb(directory.path / "t.vdb",
@@ -46,7 +46,7 @@ material = {{ density = {}, young = {}, poisson = 0, thickness = {{ vdb = "{}" }
     TemporaryDirectory directory;
 };
 
-/// Deflection of the tip by Euler and Bernoulli: moment(x) in N m, summed by Simpson's rule.
+/// Deflection of the tip by Euler and Bernoulli: moment(x) in N m, integrated by Simpson's rule.
 double deflection(const Profile& thickness, const Profile& moment) {
     constexpr int parts = 1000;
     double sum = 0;
@@ -71,7 +71,7 @@ class TaperedBeam : public UnevenBeam, public testing::WithParamInterface<BeamCa
             fmt::format("[solver]\nscheme = \"static\"\nstep = 1\nbending = \"{}\"\n", GetParam().bending));
         return run->step().gauges[0].displacement.z();
     }
-    /// The paper's hinges are off as much with an even thickness as with another one.
+    /// The paper's hinges have the same relative error for even and uneven thickness.
     void expect_theory(const std::string& load, double of_taper, double of_even) {
         const double found = computed(taper, load);
         EXPECT_NEAR(found, of_taper, GetParam().tolerance * std::abs(of_taper));
@@ -83,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(Models, TaperedBeam,
                          testing::Values(BeamCase{"coupled", 0.003}, BeamCase{"cubic", 0.25}),
                          [](const auto& input) { return input.param.bending; });
 
-// A beam of the mean thickness bends one and a half times as much.
+// A beam of the mean thickness would bend one and a half times as much.
 TEST_P(TaperedBeam, BendsUnderALoadAtItsTip) {
     const double force = 0.01;
     const auto moment = [&](double x) { return force * (length - x); };
@@ -97,7 +97,7 @@ TEST_P(TaperedBeam, BendsUnderALoadAtItsTip) {
 TEST_P(TaperedBeam, BendsUnderItsOwnWeight) {
     const double gravity = 1e-3;
     const auto of_weight = [&](const Profile& thickness) {
-        return deflection(thickness, [&](double x) {  // of what hangs beyond x
+        return deflection(thickness, [&](double x) {  // moment of the weight beyond x
             double sum = 0;
             constexpr int parts = 200;
             for (int i = 0; i < parts; ++i) {
@@ -111,7 +111,7 @@ TEST_P(TaperedBeam, BendsUnderItsOwnWeight) {
                   of_weight(even));
 }
 
-/// Thin for 0.06 m at a quarter of its length, where the moment is not the largest.
+/// Thickness, m: thin for 0.06 m at a quarter of the length, where the moment is not the largest.
 double notched(double x) {
     return std::abs(x - 0.25) < 0.03 ? 0.005 : 0.01;
 }
@@ -143,7 +143,7 @@ until_crack = true
     }
 }
 
-// A recording of it, and all that is made of the recording, is as thick as the sheet is there.
+// A recording, and all exports of it, must have the sheet's thickness at each place.
 TEST_F(UnevenBeam, IsRecordedAndExportedAsThickAsItIs) {
     directory.write("beam.toml", "duration = 2e-4\n" + beam(taper));
     const ProgramResult run = run_sherd({"run", "beam.toml"}, directory.path);
@@ -177,7 +177,7 @@ TEST_F(UnevenBeam, IsRecordedAndExportedAsThickAsItIs) {
 
 class BreakingUnevenBeam : public UnevenBeam {};
 
-// Where cracks cut the mesh, new triangles of another stiffness would make energy of nothing.
+// Where cracks cut the mesh, new triangles of a different stiffness would change the energy.
 TEST_F(BreakingUnevenBeam, AccountsForTheEnergyOfCracksThatCutTheMesh) {
     const auto run = simulation_of("duration = 1\n" + beam(taper) + R"([sheet.beam.fracture]
 strength = 1e6
@@ -206,7 +206,7 @@ step = 5e-6
         EXPECT_NEAR(shell.thickness[v], taper(shell.rest(0, v)), 1e-7);
 }
 
-// Near a floor the thick end is in it, while the thin end is above.
+// Near a floor the thick end overlaps it, while the thin end is above.
 TEST_F(UnevenBeam, StartsWhereHalfItsThicknessLetsIt) {
     const std::string text = "duration = 2e-4\n" + beam(taper) +
                              "place = { translate = [0, 0, 0.007] }\n[obstacle.floor]\nplane = {}\n";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A slip of the fingers on the command line: the program must say which word it was and what it takes for it.
+// After a slip on the command line the program must name the word, and the likely one.
 #include <gtest/gtest.h>
 
 #include "tests/support/program.h"
@@ -35,7 +35,7 @@ TEST(UsageMessage, TheNearestOptionIsSuggested) {
     expect_usage_error({"--versoin"}, {"'--versoin' is no option; did you mean '--version'?"});
 }
 
-// Both are told: that one is missing is what CLI11 sees, that it was misspelt is why.
+// Both must be reported: CLI11 finds a missing option, the cause is its misspelling.
 TEST(UsageMessage, AMisspeltOptionThatIsMissingIsToldWithIt) {
     expect_usage_error(
         {"cut", "a.obj", "--edges", "cracks.txt", "--ouput", "b.obj"},

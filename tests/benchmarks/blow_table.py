@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""blow_table SHERD: how fast a free log, 2 cm thick, may fall across an edge in explicit steps before the run ends because
-it passes through, of steel and of rubber; with "auto" and with implicit steps, too."""
+"""blow_table SHERD: prints how fast a free log, 2 cm thick, of steel or of rubber, may hit an edge crosswise before the
+run ends because the log passes through, with explicit steps, "auto" and implicit steps."""
 import pathlib
 import subprocess
 import sys
@@ -31,7 +31,7 @@ step = 1e-4
 
 
 def passes(sherd, folder, scheme, material, speed):
-    """Whether the run ends because the log passes through the ridge."""
+    """Returns whether the run ends because the log passes through the ridge."""
     young, density = MATERIALS[material]
     scene = folder / "blow.toml"
     scene.write_text(SCENE.format(young=young, density=density, speed=speed, scheme=scheme))

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Breaks plate_drop's plate at three steps and three mesh sizes, staged and by the paper's rule, and prints a table.
+"""Breaks plate_drop's plate with three steps and three mesh sizes, staged and by the paper's rule, and prints a table.
 
     tests/benchmarks/breaking_table.py build/release/app/sherd [FINENESS [BENDING]]
 
@@ -15,7 +15,7 @@ import tempfile
 
 SCENE = pathlib.Path(__file__).parents[2] / "scenes" / "plate_drop.toml"
 EDGE_LENGTH = 0.007  # m, the scene's own
-DURATION = 0.005  # s, the first blow
+DURATION = 0.005  # s, the first impact
 STEPS = (1e-4, 5e-5, 2.5e-5)
 RULES = {
     "staged": ["solver.rule=staged", "sheet.plate.fracture.measure=surface"],
@@ -26,7 +26,7 @@ RULES = {
 def break_plate(program, folder, bending, rule, fineness, step):
     recording = folder / "run.h5"
     settings = [
-        "contact.sheets=false",  # which edges break is what counts here, and this is several times faster
+        "contact.sheets=false",  # several times faster, and sufficient to see which edges break
         f"solver.bending={bending}",
         f"duration={DURATION}",
         f"output.every={DURATION}",

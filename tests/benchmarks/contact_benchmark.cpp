@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// contact_benchmark [RUN.h5]: what contact costs in one step of a sheet that touches itself all over.
-// Arguments of a benchmark: faces, threads. Time is that of the wall. Without a recording the sheet is rolled
-// up: the longer, the more turns the roll has; its edges are two thicknesses long. With one it is as in the
-// last frame, and as that with each triangle in four, and in sixteen: all of the same shape.
+// contact_benchmark [RUN.h5]: cost of contact in one step of a sheet that touches itself all over. A
+// benchmark's name has the numbers of faces and threads. Time is wall time. Without a recording the sheet is
+// rolled up: the longer, the more turns the roll has; its edges are two thicknesses long. With one it is as
+// in the last frame, and with each triangle of that divided into four, and into sixteen: all of the same
+// shape.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -22,7 +23,7 @@ using namespace sherd;
 constexpr double thickness = 1e-3, edge = 2e-3, pitch = 0.97 * thickness, inner_radius = 0.005;
 constexpr Index across = 8;  // squares
 
-/// Where along the spiral r = inner_radius + pitch angle / (2 pi), with angles a chord apart.
+/// Point on the spiral r = inner_radius + pitch angle / (2 pi), with angles a chord apart.
 Vector3d next_on_spiral(double& angle) {
     const double growth = pitch / (2 * std::numbers::pi), radius = inner_radius + growth * angle;
     Vector3d at(radius * std::cos(angle), radius * std::sin(angle), 0);
@@ -51,7 +52,7 @@ Shell roll(std::int64_t faces) {
                             std::vector<Index>(count, 0));
 }
 
-/// The same shape with each triangle cut in four at the middles of its sides.
+/// Same shape with each triangle divided into four at the midpoints of its sides.
 Shell in_four(const Shell& sheet) {
     std::map<std::array<Index, 2>, Index> middle;
     std::vector<std::array<Index, 3>> triangles;
@@ -84,7 +85,7 @@ Shell in_four(const Shell& sheet) {
     return test::bare_sheet(rest, position, triangles, thick, body);
 }
 
-/// Each vertex goes its own way, by up to a fiftieth of the thickness.
+/// Motion of each vertex by up to a fiftieth of the thickness.
 Positions shaking(const Shell& sheet) {
     Positions motion(3, sheet.position.cols());
     Index i = 0;
@@ -104,7 +105,7 @@ BlockMatrix contact_matrix(const Shell& sheet, const SheetContact& contact, cons
     return matrix;
 }
 
-/// What one iteration of Newton's method asks for.
+/// Evaluations of one iteration of Newton's method.
 void iterate(const SheetContact& contact, const Positions& x, const Positions& motion, BlockMatrix& matrix) {
     Positions gradient = Positions::Zero(3, x.cols());
     benchmark::DoNotOptimize(contact.value(x));
@@ -118,7 +119,7 @@ void report(benchmark::State& state, const Shell& sheet, const SheetContact& con
     state.counters["touching"] = static_cast<double>(contact.active_pairs(sheet.position).size());
 }
 
-/// A step for which all pairs have to be found.
+/// Step for which all pairs have to be found.
 void from_nothing(benchmark::State& state, const Shell& sheet) {
     const Positions motion = shaking(sheet);
     const SheetContact contact = contact_of(sheet, state);
@@ -130,7 +131,7 @@ void from_nothing(benchmark::State& state, const Shell& sheet) {
     report(state, sheet, contact);
 }
 
-/// A later step, to and fro.
+/// Later step, with motion back and forth.
 void of_known_pairs(benchmark::State& state, const Shell& sheet) {
     const Positions motion = shaking(sheet);
     const SheetContact contact = contact_of(sheet, state);

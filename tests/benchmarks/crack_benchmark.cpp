@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What it costs to open a mesh. Argument: faces. `items_per_second` counts edges that failed.
+// Cost of opening a mesh. Argument: faces. `items_per_second` counts failed edges.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -14,7 +14,7 @@ namespace {
 
 using namespace sherd;
 
-/// A square plate of about as many faces.
+/// Square plate of about this number of faces.
 const Mesh& plate(std::int64_t faces) {
     static std::int64_t last = 0;
     static Mesh mesh;

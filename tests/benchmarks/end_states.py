@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""end_states [--short] SHERD: how far the default solver ends from Newton's method converged to 1e-10 mean edges.
+"""end_states [--short] SHERD: compares the default solver with Newton's method converged to 1e-10 mean edge lengths.
 
-Where nothing breaks: how far a vertex is at most from where the other run has it, in mean edge lengths, after 1, 10 and
-50 steps. Where a plate breaks: means and standard deviations over ten meshes, which ten seeds make, and the
-probability that means differ by as much when the outcomes of both are dealt at random (permutation test).
+Where nothing breaks: the largest distance between corresponding vertices of both runs, in mean edge lengths, after 1,
+10 and 50 steps. Where a plate breaks: means and standard deviations over ten meshes from ten seeds, and the probability
+that means differ by as much if the results of both solvers are assigned at random (permutation test).
 
 Needs h5py and numpy; takes half an hour of processor time, --short a few minutes.
 """
@@ -19,7 +19,7 @@ from recorded_run import recorded_run
 DEFAULT, CONVERGED = ["solver.method=quasi-newton"], ["solver.method=newton", "solver.tolerance=1e-10"]
 STEPS = (1, 10, 50)
 SEEDS = range(1, 11)
-# Scene, a step (s), settings, options.
+# Scenes in which nothing breaks: scene, step (s), settings, options.
 QUIET = [("plate_drop.toml", 1e-4, ["sheet.plate.fracture.strain=1e9"], []),
          ("bowl_drop.toml", 1e-4, ["sheet.bowl.fracture.strain=1e9"], []),
          ("drape.toml", 1e-3, [], []),
@@ -33,7 +33,7 @@ def last_frame(file):
 
 
 def end(program, scene, settings, options):
-    """Positions of the vertices at the end [N, 3] m, and the mean length of edges (m)."""
+    """Runs a scene; returns the positions of vertices at the end, [V, 3] m, and the mean length of edges (m)."""
     with recorded_run(program, scene, settings, *options) as recording, h5py.File(recording) as file:
         frame = last_frame(file)
         positions, edges = frame["vertex/position"][:], frame["edge/vertices"][:]
@@ -51,7 +51,7 @@ def quiet_row(program, scene, step, settings, options, counts):
 
 
 def outcome(program, seed, way):
-    """What became of the plate: name -> number."""
+    """Breaks the plate; returns the quantities of the table by name."""
     settings = [f"duration={UNTIL}", f"output.every={UNTIL}", f"seed={seed}", *way]
     with recorded_run(program, BREAKING, settings) as recording, h5py.File(recording) as file:
         frame, steps = last_frame(file), file["steps"]
@@ -62,7 +62,7 @@ def outcome(program, seed, way):
 
 
 def probability(one, other):
-    """That the means of as many differ by as much when all of them are dealt at random."""
+    """Returns the probability that means differ by as much if the values are assigned to both groups at random."""
     both, count = numpy.concatenate([one, other]), len(one)
     sums = numpy.array([sum(chosen) for chosen in itertools.combinations(both, count)])
     apart = numpy.abs(2 * sums - both.sum())

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""fall_table [--short] SHERD [FILE | NAME]...: rough meshes (tests/support/rough_meshes.py, or files), 0.2 m long and 1 mm
-thick, as they are and remeshed to 12 mm, fall onto a floor that leans, and break: 50 steps of those with 5,000 faces at
-most, 3 of others and with --short. Seconds are of processor time. Exit code 1: one was refused, something passed through
-something that had been apart, or energy came from nowhere."""
+"""fall_table [--short] SHERD [FILE | NAME]...: drops rough meshes (tests/support/rough_meshes.py, or files), 0.2 m long
+and 1 mm thick, as they are and remeshed to 12 mm, onto an inclined floor, where they break. Makes 50 steps for meshes
+of at most 5,000 faces, 3 for others and with --short. Seconds are processor time. Exit code 1: a mesh was refused,
+surfaces that had been apart intersect, or energy was created."""
 import pathlib
 import resource
 import subprocess
@@ -17,7 +17,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support
 import rough_meshes  # noqa: E402
 
 MOST_FACES, STEPS, FEW_STEPS, STEP = 5000, 50, 3, 1e-4
-BOUND = 1e-6  # of the largest energy, of what is unexplained
+BOUND = 1e-6  # largest energy residual over the largest energy
 UP = (0.19, -0.38, 0.905)  # the floor's normal: no mesh lies flat on it
 
 
@@ -30,7 +30,7 @@ def scene(mesh, remesh, steps):
 
 
 def lowest(sherd, folder, text):
-    """The sheet's lowest vertex, and how many faces it has."""
+    """Returns the lowest vertex of the sheet, in the direction UP, and the number of its faces."""
     file = folder / "lowest.toml"
     file.write_text(text.replace("BOTTOM", "[0, 0, -9]"))
     out = folder / "lowest.obj"
@@ -43,7 +43,7 @@ def lowest(sherd, folder, text):
 
 
 def balance(recording):
-    """Of all steps the largest that is unexplained, over the largest energy."""
+    """Returns the largest energy residual of all steps over the largest energy, and the number of fragments."""
     with h5py.File(recording) as file:
         steps = file["steps"]
         names = [name for name in ("kinetic", "bending", "membrane") if name in steps]

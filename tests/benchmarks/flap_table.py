@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tears a flap out of a sheet and prints to which power of the distance to its point its width goes.
+"""Tears a flap out of a sheet and prints the exponent of its width as a power of the distance to its point.
 
     tests/benchmarks/flap_table.py build/release/app/sherd [SEEDS [EDGE...]]
 
@@ -18,7 +18,7 @@ SCENE = "experiments/torn_flap.toml"
 
 
 def widths(recording):
-    """Places along the flap and its widths there, m, from where the cracks began to where the first one ends."""
+    """Returns places along the flap and its widths, m, from the start of the cracks to the end of the shorter one."""
     with h5py.File(recording) as file:
         frame, failure = file["frames"][sorted(file["frames"])[-1]], file["events/failure"]
         rest = frame["rest/position"][:][frame["vertex/original"][:]]
@@ -29,7 +29,7 @@ def widths(recording):
 
 
 def free_power(y, width):
-    """The point and the power that fit best in the logarithm of widths."""
+    """Returns the point and the exponent that fit best in the logarithm of widths."""
     def fit(point):
         line, residual, *_ = numpy.polyfit(numpy.log(point - y), numpy.log(width), 1, full=True)
         return residual[0], point, line[0]
@@ -37,7 +37,7 @@ def free_power(y, width):
 
 
 def miss(y, width, power):
-    """Root mean square of what a line of width^(1/power) misses, m."""
+    """Returns the root mean square residual of the width, m, if width^(1/power) is fitted by a line."""
     line = numpy.polyfit(y, width ** (1 / power), 1)
     return numpy.sqrt(((width - numpy.maximum(numpy.polyval(line, y), 0) ** power) ** 2).mean())
 

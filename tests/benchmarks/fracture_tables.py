@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes the tables of what breaks, those of fracture/README.md, one after another.
+"""Makes the tables of fracture/README.md one after another.
 
     tests/benchmarks/fracture_tables.py build/release/app/sherd [--quick]
 
-With --quick the cheapest rows of each. Before each table stands the command that makes it alone. When one fails, the
-others are made all the same, and the exit code is 1. Needs what they need: h5py, numpy and scipy.
+With --quick makes the cheapest rows of each. Prints before each table the command that makes this table alone. If a
+table fails, the others are still made, and the exit code is 1. Needs h5py, numpy and scipy.
 """
 import argparse
 import pathlib
@@ -14,7 +14,7 @@ import subprocess
 import sys
 
 HERE = pathlib.Path(__file__).parent
-# Heading, what makes the table, and what makes its cheapest rows.
+# Heading, command of the table, and command of its cheapest rows.
 TABLES = (
     ("Experiments beside theory", "SHERD bench fracture", "SHERD bench fracture --quick"),
     ("Window", "window_table.py SHERD 5", "window_table.py SHERD 1 5"),
@@ -31,7 +31,7 @@ TABLES = (
 
 
 def command(words, sherd):
-    """The words with paths in the place of names."""
+    """Returns the words of a command with paths in place of names."""
     script, *others = (sherd if word == "SHERD" else word for word in words.split())
     return [str(HERE / script), *others] if script.endswith(".py") else [script, *others]
 

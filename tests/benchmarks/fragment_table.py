@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Breaks a glass tube, a sphere, a bowl and an egg's shell and prints how their fragments are distributed by mass.
+"""Breaks a glass tube, a sphere, a bowl and an eggshell and prints the distribution of the fragments' masses.
 
     tests/benchmarks/fragment_table.py build/release/app/sherd [SEEDS [SCENE...]]
 
-The number of fragments of mass m is taken for a power, m^-tau, between a smallest mass and a largest one; tau is the most
-likely one, with the interval in which twice its log-likelihood falls by less than 3.84 (95 %). Takes minutes. Needs h5py
-and numpy.
+The number of fragments of mass m is assumed to be a power law, m^-tau, between a smallest and a largest mass; tau is
+the maximum likelihood estimate, with the interval in which twice the log-likelihood falls by less than 3.84 (95 %).
+Takes minutes. Needs h5py and numpy.
 """
 import sys
 
@@ -15,15 +15,15 @@ import numpy
 
 from recorded_run import recorded_run
 
-# Wittel, Kun, Herrmann and Kroeplin 2004: shells by impact and by pressure.
+# Exponents of Wittel, Kun, Herrmann and Kroeplin 2004, for shells that break by impact and by pressure.
 PUBLISHED = {"glass_tube": "", "dropped_sphere": "1.35", "dropped_bowl": "1.35", "burst_egg": "1.54"}
 SMALLEST_FACES = 4  # a fragment of fewer faces is as small as the mesh allows
 EXPONENTS = numpy.linspace(0, 4, 2001)
 
 
 def fragments(recording):
-    """Areas of the pieces (m^2, of a uniform thickness in proportion to mass), mean area of a face, and the largest
-    change of the energy lost to the scheme over the energy at the start."""
+    """Returns the areas of the fragments (m^2; for a uniform thickness proportional to mass), the mean area of a face,
+    and the largest magnitude of the energy lost to the scheme over the largest energy."""
     with h5py.File(recording) as file:
         frame = file["frames"][sorted(file["frames"])[-1]]
         area = frame["rest/area"][:]
@@ -35,7 +35,7 @@ def fragments(recording):
 
 
 def most_likely(sizes, least, most):
-    """tau of m^-tau between two sizes, and its interval."""
+    """Returns tau of m^-tau between two sizes, and its interval."""
     power = 1 - EXPONENTS[:, None]
     with numpy.errstate(divide="ignore", invalid="ignore"):
         norm = numpy.where(numpy.abs(power) < 1e-9, numpy.log(most / least), (most**power - least**power) / power)[:, 0]

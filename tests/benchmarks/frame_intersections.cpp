@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// frame_intersections RUN.h5...: of each recording a row of a table, what passes through what in all its
-// frames. What crosses or touches in a point in the first one, and its neighbours, may go on to do so.
+// frame_intersections RUN.h5...: prints a row of a table for each recording, with the numbers of
+// intersections in all its frames. Faces that intersect or touch in a point in the first frame, and their
+// neighbours, may continue to do so.
 #include "tests/support/frame_intersections.h"
 
 #include <fmt/format.h>
@@ -17,8 +18,8 @@
 namespace sherd {
 namespace {
 
-/// Pairs of vertices of faces that cross in the first frame, by their numbers at rest, and of vertices that
-/// lie on each other in it: contact knows of no distance that those have to keep.
+/// Pairs of vertices of faces that intersect in the first frame, by their numbers at rest, and of vertices
+/// that coincide in it: contact keeps no distance between those.
 class CrossingStart {
   public:
     explicit CrossingStart(const Snapshot& first) {

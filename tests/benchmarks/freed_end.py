@@ -1,22 +1,22 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The energy that a half-infinite strip loses when its end is freed of the stress of a tempered sheet.
+"""Computes the energy that a half-infinite strip loses when its end is freed from the stress of a tempered sheet.
 
     tests/benchmarks/freed_end.py
 
-Prints it over S^2 t^2 (1 - nu^2) / Y for two Poisson's ratios on three meshes: bilinear finite elements in plane strain,
-of one half of the thickness. Needs numpy and scipy.
+Prints the energy over S^2 t^2 (1 - nu^2) / Y for two Poisson's ratios on three meshes, of bilinear finite elements in
+plane strain over half the thickness. Needs numpy and scipy.
 """
 import numpy
 import scipy.sparse
 import scipy.sparse.linalg
 
 GAUSS = numpy.array((-1, 1)) / numpy.sqrt(3)
-LENGTH = 6  # of the strip, in halves of its thickness: far beyond what the end reaches
+LENGTH = 6  # length of the strip over half its thickness: far beyond the effect of the end
 
 
 def element(width, height, elasticity):
-    """Stiffness of a rectangle, [8, 8], with Y = 1."""
+    """Returns the stiffness of a rectangle, [8, 8], with Y = 1."""
     stiffness = numpy.zeros((8, 8))
     for p in GAUSS:
         for q in GAUSS:
@@ -30,7 +30,7 @@ def element(width, height, elasticity):
 
 
 def freed(poisson, layers):
-    """Energy over S^2 t^2 (1 - nu^2) / Y."""
+    """Returns the energy over S^2 t^2 (1 - nu^2) / Y."""
     factor = 1 / ((1 + poisson) * (1 - 2 * poisson))
     elasticity = factor * numpy.array(((1 - poisson, poisson, 0), (poisson, 1 - poisson, 0),
                                        (0, 0, (1 - 2 * poisson) / 2)))
@@ -55,7 +55,7 @@ def freed(poisson, layers):
     held = numpy.concatenate((2 * node[:, 0] + 1, 2 * node[-1]))  # the middle plane, and the far end along the strip
     free = numpy.setdiff1d(numpy.arange(2 * node.size), held)
     moved = scipy.sparse.linalg.spsolve(matrix.tocsr()[free][:, free].tocsc(), force[free])
-    # Both halves of the strip have this work of the force, whose half is the energy, and t = 2.
+    # The energy is half of the work on both halves of the thickness, each of which is force @ moved; t = 2.
     return force[free] @ moved / (1 - poisson**2) / 4
 
 

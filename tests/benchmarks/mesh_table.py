@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""mesh_table SHERD [FILE | NAME]...: what `sherd check` says of rough meshes, 0.2 m long, as they are and remeshed, at
-three thicknesses; seconds are of processor time, at the first of these. FILE is a mesh file, NAME one of
-tests/support/rough_meshes.py; without any, all of these."""
+"""mesh_table SHERD [FILE | NAME]...: prints the results of `sherd check` for rough meshes, 0.2 m long, as they are and
+remeshed, with three thicknesses; seconds are processor time, with the first thickness. FILE is a mesh file, NAME a mesh
+of tests/support/rough_meshes.py; without either, all meshes of that file."""
 import pathlib
 import re
 import resource
@@ -29,7 +29,7 @@ def number(pattern, text, fallback="0"):
 
 
 def row(sherd, name, mesh, remesh):
-    """One row of the table, and how many of the thicknesses are refused."""
+    """Prints a row of the table; returns the number of thicknesses that are refused."""
     refused, text, seconds = 0, "", 0
     with tempfile.TemporaryDirectory() as folder:
         for thickness in THICKNESSES:

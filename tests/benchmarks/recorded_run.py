@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs of the program whose recordings the tables here are made of."""
+"""Runs of the program, whose recordings the tables of this folder evaluate."""
 import collections
 import contextlib
 import pathlib
@@ -14,8 +14,8 @@ SCENES = pathlib.Path(__file__).parents[2] / "scenes"
 
 @contextlib.contextmanager
 def recorded_run(program, scene, settings, *options):
-    """The recording of a run of a scene (its path below scenes/) with `settings`, each NAME=VALUE, as long as the block
-    lasts. Raises subprocess.CalledProcessError when the run fails."""
+    """Runs a scene (its path below scenes/) with `settings`, each NAME=VALUE. Yields the recording, which is deleted at
+    the end of the block. Raises subprocess.CalledProcessError if the run fails."""
     with tempfile.TemporaryDirectory() as folder:
         recording = pathlib.Path(folder) / "run.h5"
         words = [word for setting in settings for word in ("--set", setting)]
@@ -25,8 +25,8 @@ def recorded_run(program, scene, settings, *options):
 
 
 def cracks(recording):
-    """Ends at rest of the edges that have failed: [N, 2, 2] m, each crack once, and no rim; shares of the area of all
-    pieces; energy that went to cracks (J)."""
+    """Returns the ends at rest of the edges that have failed: [N, 2, 2] m, each once, without the boundary; the
+    fragments' shares of the area; and the energy lost to cracks (J)."""
     with h5py.File(recording) as file:
         frame = file["frames"][sorted(file["frames"])[-1]]
         original, faces = frame["vertex/original"][:], frame["rest/faces"][:]

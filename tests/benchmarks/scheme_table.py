@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Prints what each time scheme makes of a wave: the largest curvature of a bent strip that is let go, 50 mm from its
-end, over the one that it had (1.428 by theory), with so many steps until it comes.
+"""Prints the accuracy of the time schemes for a wave: the largest curvature of a bent strip that is released, 50 mm
+from its end, over the initial curvature (1.428 by theory), by the number of steps until the largest curvature arrives.
 
     tests/benchmarks/scheme_table.py build/release/app/sherd
 
@@ -16,7 +16,7 @@ import numpy
 from recorded_run import recorded_run
 
 SCENE, GAUGE, BENT = "experiments/released_strip.toml", "s50", 0.2  # 1/m
-ARRIVAL = 0.05 ** 2 / (4 * math.pi * 0.0015 * math.sqrt(3.8e9 / (12 * 1500)))  # s, of the largest curvature
+ARRIVAL = 0.05 ** 2 / (4 * math.pi * 0.0015 * math.sqrt(3.8e9 / (12 * 1500)))  # s, time of the largest curvature
 STEPS = (3, 10, 30, 100)
 
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Prints how far a shard creeps on a slope of 10 degrees that friction of 0.3 can hold: the largest way of a vertex in
-the second half of a second.
+"""Prints how fast a shard creeps on a slope of 10 degrees, on which friction of 0.3 can hold it: the largest
+displacement of a vertex in the second half of a run of 1 s, as a velocity.
 
     tests/benchmarks/slope_table.py build/release/app/sherd
 

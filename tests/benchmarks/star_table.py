@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Strikes plates of PMMA at several speeds on several meshes and prints how many arms their stars have.
+"""Strikes plates of PMMA at several speeds on several meshes and prints the numbers of arms of the star cracks.
 
     tests/benchmarks/star_table.py build/release/app/sherd [SEEDS [SPEED...]]
 
-Arms are counted where cracks cross circles around the blow, at rest; energy is what went to cracks over the fracture
-energy times their area. Takes minutes. Needs h5py and numpy.
+Arms are counted where cracks cross circles about the impact, at rest; energy is the energy lost to cracks over the
+fracture energy times their area. Takes minutes. Needs h5py and numpy.
 """
 import sys
 

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Drops unbreakable sheets at one step after the other, and prints quantiles of the peaks of their hinges.
+"""Drops unbreakable sheets with several lengths of the step, and prints quantiles of the hinges' peak stresses.
 
     tests/benchmarks/step_table.py build/release/app/sherd [edge|flat|plate ...]
 
-edge: a glass disc that lands on its edge; flat: the same disc, tilted by 10 degrees; plate: that of plate_drop.
+edge: a glass disc that lands on its edge; flat: the same disc, tilted by 10 degrees; plate: a plate like plate_drop's.
 """
 import pathlib
 import re

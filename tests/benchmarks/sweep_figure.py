@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""sweep_figure.py SHERD [--rows 10000] [--jobs 2]: what the machinery of a sweep costs, by rows that cost next to nothing.
+"""sweep_figure.py SHERD [--rows 10000] [--jobs 2]: measures the overhead of a sweep, by rows that take almost no time.
 
-Each row is three steps of two triangles. The sweep is killed when half of the rows are done, and goes on. TMPDIR says on
-which disk.
+Each row is three steps of two triangles. The sweep is killed when half of the rows are done, and resumed. TMPDIR
+selects the disk.
 """
 import argparse
 import os

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Notches panes of tempered glass and prints into how many pieces they break.
+"""Notches panes of tempered glass and prints the numbers of pieces into which they break.
 
     tests/benchmarks/tempered_table.py build/release/app/sherd [SEEDS [STRESS...]]
 
-STRESS: of the rows to make, MPa. Pieces are counted as standards of tempered glass do, on the 50 x 50 mm in the middle:
-those that a side of it cuts count half. Residual: what the stress of the pane has left, of what it had. Takes minutes a
-row. Needs h5py and numpy.
+STRESS: surface compression of the rows to make, MPa. Pieces are counted as standards of tempered glass do, in a square
+of 50 x 50 mm in the middle: pieces that its sides cut count half. Residual: energy of the tempering stress at the end
+over that at the start. Takes minutes a row. Needs h5py and numpy.
 """
 import sys
 
@@ -17,15 +17,15 @@ from recorded_run import recorded_run
 
 SCENE = "experiments/tempered_glass.toml"
 HALF_WINDOW = 0.025  # m
-# Pa, m, m, s: surface compression, thickness, edges, and steps in which a crack goes on by less than one of them
+# Surface compression (Pa), thickness (m), edge length (m), step (s) in which a crack propagates by less than an edge
 CASES = ((6e7, 0.006, 0.001, 5e-7), (8e7, 0.006, 0.001, 5e-7), (1.03e8, 0.006, 0.001, 5e-7),
          (1.23e8, 0.006, 0.001, 5e-7), (1.03e8, 0.004, 0.001, 5e-7), (1.03e8, 0.006, 0.0014, 5e-7),
          (1.03e8, 0.006, 0.0007, 3e-7))
 
 
 def pieces(recording):
-    """How many pieces the window has, how many the pane, the shares of the pane's area of those of fewer than four
-    faces, and the share of the residual energy that is left."""
+    """Returns the numbers of pieces in the window and in the pane, the share of the pane's area in pieces of fewer than
+    four faces, and the share of the residual energy that is left."""
     with h5py.File(recording) as file:
         frame = file["frames"][sorted(file["frames"])[-1]]
         rest, faces = frame["rest/position"][:, :2], frame["rest/faces"][:]

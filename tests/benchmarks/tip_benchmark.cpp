@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What it costs to judge the tip of a crack, in a plate of 8,000 faces. Argument: rings.
+// Cost of evaluating a crack tip in a plate of 8,000 faces. Argument: rings.
 #include <benchmark/benchmark.h>
 
 #include "core/tips/configurational_force.h"
@@ -11,7 +11,7 @@ namespace {
 
 using namespace sherd;
 
-/// A square plate, open from one side to its centre, and its tip.
+/// Square plate, open from one side to its centre, and its tip.
 struct TornPlate {
     TornPlate() : shell(torn()), around(shell), bending(shell, {}), x(shell.rest) {
         Index centre = 0;

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Drives blunt tools through a film and prints how long its crack's waves are, how far it swings, and how far it
-runs at once, over the tool's width; and the energy that was taken over G_c times the area of the crack.
+"""Drives blunt tools through a film and prints the wavelength, the swing from side to side and the longest burst of its
+oscillating crack over the tool's width; and the energy lost to cracks over G_c times the area of the crack.
 
     tests/benchmarks/tool_table.py build/release/app/sherd [SEEDS [EDGE...]] [--tool WIDTH]...
 
-EDGE: edge lengths of the meshes, WIDTH: of the tool, m. Takes minutes a run. Needs h5py and numpy.
+EDGE: edge lengths of the meshes, m; WIDTH: width of the tool, m. Takes minutes a run. Needs h5py and numpy.
 """
 import argparse
 import itertools
@@ -17,11 +17,11 @@ import numpy
 from recorded_run import SCENES, recorded_run
 
 SCENE = "experiments/blunt_tool.toml"
-WIDTHS = (0.012, 0.016, 0.019)  # m, of tools that fit into the notch
+WIDTHS = (0.012, 0.016, 0.019)  # m, widths of tools that fit into the notch
 
 
 def path(recording, start):
-    """Places of the crack that has grown from a point, at rest, m, in order, and the steps in which it got there."""
+    """Returns the path at rest, m, of the crack that has propagated from a point, and the step of each place."""
     with h5py.File(recording) as file:
         frame, failure = file["frames"][sorted(file["frames"])[-1]], file["events/failure"]
         rest = frame["rest/position"][:][frame["vertex/original"][:]]
@@ -36,12 +36,12 @@ def path(recording, start):
 
 
 def longest_burst(places, when):
-    """How far the crack runs in one step at most, m."""
+    """Returns the largest propagation of the crack in one step, m."""
     return numpy.bincount(when[1:], numpy.linalg.norm(numpy.diff(places, axis=0), axis=1)).max()
 
 
 def turns(places, least):
-    """The points of a path where x turns back by `least` (m) and more: [N, 2]."""
+    """Returns the points of a path, [N, 2] m, where x turns back by at least `least` (m)."""
     found, far, sign = [], places[0], 0
     for place in places[1:]:
         if sign * (place[0] - far[0]) >= 0:
@@ -54,7 +54,7 @@ def turns(places, least):
 
 
 def energy_taken(recording, places, film):
-    """What went to the crack, of G_c times its area."""
+    """Returns the energy lost to cracks over G_c times the area of the crack."""
     with h5py.File(recording) as file:
         taken = file["steps/lost_to_cracks"][-1]
     material = film["material"]
@@ -63,9 +63,9 @@ def energy_taken(recording, places, film):
 
 
 def row(recording, film, width, edge):
-    """The row of a run in the table."""
+    """Returns the cells of a run in the table."""
     places, when = path(recording, film["fracture"]["crack"]["line"][1][:2])
-    found = turns(places, 2 * edge)  # less is a wriggle of the mesh
+    found = turns(places, 2 * edge)  # smaller turns follow the mesh
     swings = numpy.abs(numpy.diff(found, axis=0)) / width
     length, side = (2 * swings[:, 1].mean(), swings[:, 0].mean()) if len(swings) else (numpy.nan, 0)
     return (f"{len(found)} | {length:.1f} | {side:.1f} | "

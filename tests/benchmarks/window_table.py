@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Throws the ball of window_ball at several speeds on several meshes and prints how the pane breaks.
+"""Throws the ball of window_ball with several speeds at several meshes and prints how the pane breaks.
 
     tests/benchmarks/window_table.py build/release/app/sherd [SEEDS [SPEED...]]
 
-Arms are counted where cracks cross circles around the blow, and where they meet the frame; radial is the share of the
-length of cracks of the first millisecond within 20 degrees of the direction away from the blow; dust is the share of the
-area in pieces of fewer than 4 faces. As many runs at once as there are processors. Needs h5py and numpy.
+Arms are counted where cracks cross circles about the impact, and where they meet the frame; radial is the share of the
+length of the first millisecond's cracks within 20 degrees of the direction away from the impact; dust is the share of
+the area in pieces of fewer than 4 faces. Makes as many runs at once as there are processors. Needs h5py and numpy.
 """
 import itertools
 import multiprocessing.pool
@@ -24,7 +24,7 @@ SPEEDS, EDGES, RADII = (5, 10, 20), (0.008, 0.0067, 0.0056), (0.04, 0.08, 0.12)
 
 
 def first_millisecond(recording):
-    """Share of the length of the cracks of the first millisecond that is radial."""
+    """Returns the radial share of the length of the first millisecond's cracks."""
     with h5py.File(recording) as file:
         frame = file["frames"][sorted(file["frames"])[-1]]
         rest = frame["rest/position"][:, :2][frame["vertex/original"][:]]
@@ -44,7 +44,7 @@ def dust(recording):
 
 
 def measures(program, speed, edge, seed):
-    """Arms at the circles, at the frame, radial, dust, pieces, and energy of the cracks (J)."""
+    """Returns arms at the circles and at the frame, radial, dust, pieces, and energy lost to cracks (J), of a run."""
     settings = [f"seed={seed}", f"obstacle.ball.velocity=[0,0,-{speed}]", f"sheet.pane.mesh.edge_length={edge}"]
     with recorded_run(program, SCENE, settings) as recording:
         found, shares, lost = cracks(recording)

@@ -16,12 +16,13 @@
 namespace sherd {
 namespace {
 
-/// Where the point (s, y) of a sheet is when it is rolled about an axis along y.
+/// Position of the point (s, y) of a sheet that is rolled about an axis along y.
 Vector3d on_cylinder(double s, double y, double radius) {
     return {radius * std::sin(s / radius), y, radius * (1 - std::cos(s / radius))};
 }
 
-// A wrong sign or factor in the forces, or a pair of vertices that the pattern misses, would show here.
+// With a wrong sign or factor in the forces, or a pair of vertices missing in the pattern, sheets would move
+// wrongly or the solver would not converge.
 TEST(ArcMembrane, DerivativesAreThoseOfTheValue) {
     Shell flat_sheet = test::flat_patch(), shell = test::curved_patch();
     for (Shell* sheet : {&flat_sheet, &shell}) {
@@ -32,7 +33,7 @@ TEST(ArcMembrane, DerivativesAreThoseOfTheValue) {
     }
 }
 
-// Sheets must neither move nor spin by their own stretching, and must stay as they are made.
+// Sheets must neither move nor spin by their own stretching, and must keep their rest shape.
 TEST(ArcMembrane, RestIsEquilibriumAndRigidMotionCostsNothing) {
     Shell shell = test::curved_patch();
     const ArcMembrane membrane(shell, {});
@@ -53,7 +54,7 @@ TEST(ArcMembrane, RestIsEquilibriumAndRigidMotionCostsNothing) {
     EXPECT_NEAR(membrane.value(x_moved), membrane.value(x), 1e-11 * membrane.value(x));
 }
 
-// Newton's method goes on with it where the Hessian itself is indefinite, as under compression.
+// Newton's method uses the convex Hessian where the exact one is indefinite, as under compression.
 TEST(ArcMembrane, ConvexHessianIsSemidefiniteAndExactAtRest) {
     Shell shell = test::curved_patch();
     const ArcMembrane membrane(shell, test::patch_mirrors(shell));
@@ -71,7 +72,7 @@ TEST(ArcMembrane, ConvexHessianIsSemidefiniteAndExactAtRest) {
               1e-9 * exact.norm());
 }
 
-// In its plane a flat sheet has straight sides: whatever was proved for it before must hold.
+// In its plane a flat sheet has straight sides: both membranes must agree there.
 TEST(ArcMembrane, FlatSheetInItsPlaneIsThatOfConstantStrain) {
     const Shell shell = test::flat_patch();
     const ArcMembrane arcs(shell, {});
@@ -87,8 +88,8 @@ TEST(ArcMembrane, FlatSheetInItsPlaneIsThatOfConstantStrain) {
     EXPECT_LT(in_plane.norm(), 1e-10 * stiffness.norm());
 }
 
-// What the membrane of constant strain mistakes for strain when a sheet is rolled, and arcs do not, beside
-// symmetry planes and at free edges as well as inside.
+// The membrane of constant strain takes the rolling of a sheet for strain; arcs must not, inside, beside
+// symmetry planes and at free edges.
 TEST(ArcMembrane, RolledSheetHasHardlyAnyStrain) {
     constexpr double radius = 1;
     Shell shell = test::flat_patch();
@@ -101,8 +102,8 @@ TEST(ArcMembrane, RolledSheetHasHardlyAnyStrain) {
     EXPECT_LT(ArcMembrane(shell, {}).strains(x).cwiseAbs().maxCoeff(), 5e-4);
 }
 
-// Curvature that is there at rest counts as what it is, not as a change: a piece of a cylinder unrolls and
-// rolls up further.
+// Only the change of curvature from rest may count: a piece of a cylinder unrolls and rolls up further
+// without strain.
 TEST(ArcMembrane, CylinderUnrollsWithHardlyAnyStrain) {
     const Shell shell = test::uneven_patch([](double s, double y) { return on_cylinder(s, y, 1); });
     for (const double radius : {1e9, 0.7}) {
@@ -127,7 +128,7 @@ TEST(ArcMembrane, CreaseTurnsFreely) {
     EXPECT_LT(membrane.value(turned.rest), 1e-6 * stretched);
 }
 
-// Damping measures from another shape than rest.
+// Damping measures from a shape other than rest.
 TEST(ArcMembrane, StartsFromAnyShape) {
     const Shell shell = test::curved_patch();
     ArcMembrane membrane(shell, {});
@@ -140,10 +141,10 @@ TEST(ArcMembrane, StartsFromAnyShape) {
     test::expect_derivatives(membrane, x, 1e-5, 1e-7);
 }
 
-// What `sherd check` warns of: h^2 / (R t) of a rolled sheet.
+// `sherd check` warns of h^2 / (R t) of a rolled sheet.
 TEST(ArcMembrane, LockingIsToldFromRadiusAndEdges) {
     const Shell shell = test::uneven_patch([](double s, double y) { return on_cylinder(s, y, 2); });
-    double longest = 0;  // around the cylinder, where its curvature is all along the edge
+    double longest = 0;  // around the cylinder, where all its curvature is along the edge
     for (const TriangleStencil& triangle : shell.triangles) {
         const auto sides = columns(shell.rest, triangle.vertices);
         for (int side = 0; side < 3; ++side)
@@ -154,7 +155,7 @@ TEST(ArcMembrane, LockingIsToldFromRadiusAndEdges) {
     EXPECT_LT(locking(test::flat_patch()).maxCoeff(), 1e-12);
 }
 
-// Sheets that cannot lock by this bound are not looked at any closer.
+// Sheets that cannot lock by this bound are not examined any further.
 TEST(ArcMembrane, NoSideIsMoreCurvedThanFoldsAllow) {
     const Shell shell = test::curved_patch();
     const Folds folds(shell, {});
@@ -170,7 +171,7 @@ TEST(ArcMembrane, NoSideIsMoreCurvedThanFoldsAllow) {
     }
 }
 
-// Fields, gauges and breaking would otherwise see other strains than the energy, and take bending for
+// Otherwise fields, gauges and fracture would use other strains than the energy, and take bending for
 // stretch.
 TEST(ArcMembrane, StrainsOfFacesAreThoseOfItsEnergy) {
     const Shell shell = test::curved_patch();

@@ -33,7 +33,7 @@ ArcUnknowns slope_of_arcs(const ArcTriangle& triangle, const ArcUnknowns& at) {
     return all;
 }
 
-// A wrong term in the forces or in Newton's matrix would show here.
+// A wrong term in the forces or in the Hessian makes sheets move wrongly or the solver diverge.
 TEST(ArcTriangle, DerivativesAreThoseOfTheValue) {
     test::Random random(1);
     constexpr double step = 1e-5;
@@ -54,7 +54,7 @@ TEST(ArcTriangle, DerivativesAreThoseOfTheValue) {
     }
 }
 
-// The membrane that everything else was proved with must be what straight sides give.
+// Without curvature the triangle must be the constant-strain one, with which everything else was verified.
 TEST(ArcTriangle, WithoutCurvatureIsTheConstantStrainTriangle) {
     test::Random random(2);
     const Vector3d none = Vector3d::Zero();
@@ -76,7 +76,7 @@ TEST(ArcTriangle, WithoutCurvatureIsTheConstantStrainTriangle) {
     }
 }
 
-// Newton's method falls back on it where a sheet buckles.
+// Newton's method uses the convex Hessian where a sheet buckles.
 TEST(ArcTriangle, ConvexHessianIsSemidefiniteAndExactAtTheStart) {
     test::Random random(3);
     for (int i = 0; i < 200; ++i) {
@@ -95,7 +95,7 @@ TEST(ArcTriangle, ConvexHessianIsSemidefiniteAndExactAtTheStart) {
     EXPECT_LT((exact - hessian(triangle, rest, curvature, true)).norm(), 1e-12 * exact.norm());
 }
 
-// What arcs are for: corners on a circle, whose arcs are as long as the flat sheet's sides were.
+// Corners on a circle: their arcs are as long as the sides of the flat sheet, and must hardly be strained.
 TEST(ArcTriangle, RolledTriangleHasAlmostNoStrain) {
     constexpr double radius = 2;
     TrianglePositions rest, x;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A distance that is wrong lets sheets into an obstacle; derivatives that are wrong push them the wrong way,
-// or keep Newton's method from ending.
+// A wrong distance lets sheets into an obstacle; wrong derivatives push them the wrong way, or keep Newton's
+// method from converging.
 #include "core/contact/geometry/basic_shapes.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ void expect_normal_and_curvature(const Shape& shape, const Vector3d& at) {
 
 const Vector3d axis = Vector3d(1, 2, -0.5).normalized();
 
-// Inside and outside; the few points near a crease of the distance are left out.
+// Inside and outside, without the few points near a crease of the distance.
 TEST(Solids, GradientAndHessianAreThoseOfTheDistance) {
     Random random(3);
     const std::vector<std::shared_ptr<const Shape>> shapes{
@@ -76,7 +76,7 @@ TEST(Solids, ACylinderHasASideTwoEndsAndRoundEdges) {
     EXPECT_NEAR(cylinder.distance(middle).gradient.norm(), 1, 1e-15);
 }
 
-// Whatever is outside of the bounds is not looked at.
+// Points outside the bounds are skipped.
 TEST(Solids, BoundsHoldTheSolid) {
     Random random(5);
     const CylinderShape cylinder(Vector3d(0, 0, 1), axis, 0.5, 0.3);

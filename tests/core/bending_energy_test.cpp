@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pairings of force and Jacobian, in whole time steps.
+// Pairings of a bending model and a Jacobian, in whole time steps.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -57,8 +57,8 @@ Shell arch() {
     return shell;
 }
 
-/// Swings the arch under its weight for `steps` steps of 5 ms; gives the positions and counts the iterations
-/// of Newton's method.
+/// Swings the arch under its weight for `steps` steps of 5 ms; returns the positions and counts the
+/// iterations of Newton's method.
 Positions swung(const BendingOptions& bending, int steps, int& iterations) {
     Shell shell = arch();
     StepperOptions options;
@@ -77,8 +77,8 @@ Positions swung(const BendingOptions& bending, int steps, int& iterations) {
     return shell.position;
 }
 
-// Only the energy may say where a step ends. The Jacobian must not: a wrong one would stop short, or pull the
-// sheet elsewhere.
+// The energy alone determines where a step ends. A wrong Jacobian must not end it early or pull the sheet
+// elsewhere.
 TEST(BendingEnergy, EveryJacobianLeadsToTheSamePositions) {
     for (const BendingModel model : {cubic, cubic_2007, nonlinear}) {
         int exact_iterations = 0;
@@ -93,7 +93,7 @@ TEST(BendingEnergy, EveryJacobianLeadsToTheSamePositions) {
     }
 }
 
-// The models differ off isometries alone: a sheet that hardly stretches moves alike under each.
+// The models differ off isometries alone: a sheet that hardly stretches must move alike under each.
 TEST(BendingEnergy, CubicAndNonlinearSheetsMoveAlike) {
     int iterations = 0;
     const Positions nonlinear_path = swung({nonlinear, BendingJacobian::nonlinear}, 40, iterations);
@@ -106,7 +106,7 @@ TEST(BendingEnergy, CubicAndNonlinearSheetsMoveAlike) {
     }
 }
 
-// A model must be what its name says, in the sum over the hinges as in one hinge.
+// Each name must select its model, in the sum over the hinges as in a single hinge.
 TEST(BendingEnergy, SumsTheChosenModel) {
     const Shell shell = arch();
     Positions x = shell.rest;

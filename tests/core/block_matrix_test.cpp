@@ -9,7 +9,7 @@ namespace {
 
 constexpr Index vertices = 12;
 
-/// Vertex 3 is fixed, 5 slides in a plane and 8 along a line.
+/// Matrix in which vertex 3 is fixed, 5 slides in a plane and 8 along a line.
 BlockMatrix restricted_matrix(const std::vector<std::pair<Index, Index>>& pairs) {
     std::vector<char> fixed(vertices, 0), guide(vertices, 0);
     fixed[3] = 1;
@@ -20,17 +20,17 @@ BlockMatrix restricted_matrix(const std::vector<std::pair<Index, Index>>& pairs)
     return {vertices, pairs, fixed, guide, {Matrix3d::Identity() - line, line}};
 }
 
-/// Symmetric, of the vertices of an element.
+/// Symmetric random matrix of an element with `count` vertices.
 Eigen::MatrixXd random_element(test::Random& random, std::size_t count) {
     Eigen::MatrixXd local(3 * count, 3 * count);
     for (double& entry : local.reshaped()) entry = random.uniform(-1, 1);
     return local + local.transpose();
 }
 
-// A block in the wrong place, or one that a support does not take away, is another Hessian.
+// A block in the wrong place, or one that a support does not remove, makes a wrong Hessian.
 TEST(BlockMatrix, AddsAllBlocksOfAnElementLikeOneByOne) {
     const std::vector<Index> element{0, 2, 3, 5, 6, 8, 9, 11};
-    std::vector<std::pair<Index, Index>> pairs{{1, 4}, {7, 2}, {10, 0}, {4, 5}};  // of others between
+    std::vector<std::pair<Index, Index>> pairs{{1, 4}, {7, 2}, {10, 0}, {4, 5}};  // others in between
     for (const Index a : element)
         for (const Index b : element) pairs.emplace_back(a, b);
     BlockMatrix at_once = restricted_matrix(pairs), one_by_one = at_once;
@@ -59,7 +59,7 @@ TEST(BlockMatrix, AddsAllBlocksOfAnElementLikeOneByOne) {
     EXPECT_LT((test::dense(at_once) - kept * free * kept - (identity - kept)).norm(), 1e-14);
 }
 
-// CHOLMOD reads rows that ascend and are there once; contact asks which pairs have a block.
+// CHOLMOD reads ascending rows without repetitions; contact asks which pairs have a block.
 TEST(BlockMatrix, HasEachPairOnceInWhateverOrderItIsNamed) {
     const BlockMatrix matrix = restricted_matrix({{7, 1}, {1, 7}, {0, 7}, {7, 1}, {4, 4}, {1, 2}, {9, 1}});
     std::vector<Index> in_column_of_1;
@@ -73,7 +73,7 @@ TEST(BlockMatrix, HasEachPairOnceInWhateverOrderItIsNamed) {
         EXPECT_FALSE(matrix.has(i, j)) << i << ' ' << j;
 }
 
-/// One with all pairs of neighbours in a row, and its values.
+/// Matrix with all pairs of neighbours in a row of vertices, and random values.
 BlockMatrix row_of_vertices(std::span<const Index> some = {}) {
     std::vector<std::pair<Index, Index>> pairs;
     for (Index v = 0; v < vertices; ++v)
@@ -100,7 +100,7 @@ Eigen::MatrixXd rows_and_columns(const Eigen::MatrixXd& whole, std::span<const I
     return whole(scalar, scalar);
 }
 
-// The equations of a patch would be those of other vertices.
+// Otherwise the equations of a patch would be those of other vertices.
 TEST(BlockMatrix, APartHasItsRowsAndColumnsOfTheWhole) {
     const std::vector<Index> some{1, 2, 3, 5, 6, 9};
     const Eigen::MatrixXd whole = test::dense(row_of_vertices());
@@ -128,7 +128,7 @@ TEST(BlockMatrix, AddsAllToAPartAndToADiagonal) {
     for (Index v = 0; v < 3; ++v) EXPECT_EQ(diagonal.diagonal_block(v), block(v, v));
 }
 
-// Contacts between vertices beside a patch have no block in it: added to others they would be another
+// Contacts between vertices beside a patch have no block in it: added to other blocks they would change the
 // stiffness there, which two threads write at a time.
 TEST(BlockMatrix, APartIgnoresBlocksThatItDoesNotHave) {
     const std::vector<Index> some{1, 2, 3, 5};
@@ -153,7 +153,7 @@ std::vector<char> one_fixed() {
     return fixed;
 }
 
-/// All pairs of 12 vertices, with one that is fixed, or with the supports of restricted_matrix().
+/// Matrix with all pairs of 12 vertices, with one fixed vertex or with the supports of restricted_matrix().
 BlockMatrix full_matrix(bool restricted) {
     if (restricted) return restricted_matrix(all_pairs());
     return {vertices, all_pairs(), one_fixed()};
@@ -163,7 +163,7 @@ BlockMatrix full_part(const std::vector<Index>& some) {
     return BlockMatrix::part(some, vertices, all_pairs(), one_fixed(), {}, {});
 }
 
-// Bending would be that of other faces, or of none where a support is near.
+// Otherwise faces would have the bending stiffness of others, or none near a support.
 TEST(BlockMatrix, AddsTheSquareOfRowsLikeItsBlocks) {
     const std::vector<Index> element{0, 2, 3, 5, 6, 8, 9};
     test::Random random(10);
@@ -183,7 +183,7 @@ TEST(BlockMatrix, AddsTheSquareOfRowsLikeItsBlocks) {
     }
 }
 
-/// Sums of 5,000 elements of three vertices beside each other, one in seven of which has nothing.
+/// Sum of 5,000 elements of three neighbouring vertices each, one in seven of which is zero.
 BlockMatrix shared_sum(int threads, std::span<const Index> some = {}) {
     constexpr Index count = 200;
     std::vector<std::pair<Index, Index>> pairs;
@@ -209,8 +209,8 @@ BlockMatrix shared_sum(int threads, std::span<const Index> some = {}) {
     return matrix;
 }
 
-// A Hessian must not depend on how many cores the machine has, and an element that two threads add, or none,
-// is another material.
+// A Hessian must not depend on the number of cores. An element that is added twice or not at all would change
+// the material.
 TEST(BlockMatrix, SharedSumsHaveTheSameBits) {
     const std::vector<Index> some{3, 4, 5, 40, 41, 60, 61, 62, 63, 199};
     EXPECT_GT(test::dense(shared_sum(1)).norm(), 100);

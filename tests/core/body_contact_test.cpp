@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A ball that hits a sheet must lose what the sheet gains, and both must feel one contact.
+// A ball that hits a sheet must lose the momentum that the sheet gains, in one and the same contact.
 #include "core/contact/bodies/body_contact.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ Vector3d spin_momentum(const Shell& shell, const RigidBody& body) {
     return angular_momentum(shell) + body.mass * body.centre.cross(body.velocity) + body.angular_momentum;
 }
 
-// The energy has the body's best pose inside: its derivatives must know how that moves.
+// The energy is minimal over the body's pose: its derivatives must include the motion of this minimum.
 TEST(BodyContact, ForceAndStiffnessAreDerivativesOfTheValue) {
     Shell shell = stacked_plates(1, 8, 0, elastic());
     shell.velocity.setZero();
@@ -61,7 +61,7 @@ TEST(BodyContact, ForceAndStiffnessAreDerivativesOfTheValue) {
     }
 }
 
-// Bodies that are smaller than a face, or faster than a step is long, would pass between the vertices.
+// Bodies that are smaller than a face, or move far in a step, would pass between the vertices.
 TEST(BodyContact, NoBodyPassesThroughAFace) {
     for (const bool is_ball : {false, true}) {
         Shell shell = stacked_plates(1, 2, 0, elastic());
@@ -94,9 +94,9 @@ TEST(BodyContact, NoBodyPassesThroughAFace) {
     }
 }
 
-// A small body that meets a sheet far faster than its size in a step must not be beyond it: around its rim,
-// by a search that went astray, or through a face. A step that cannot be solved is halved, as in a run, which
-// ends with an error if that does not help.
+// A small body that meets a sheet far faster than its size in a step must not pass it: around its rim, by a
+// failed search, or through a face. A step that cannot be solved is halved, as in a run, which ends with an
+// error if that does not help.
 TEST(BodyContact, NoBodyIsBeyondASheetHoweverFast) {
     struct Shot {
         double speed;  // m/s
@@ -125,7 +125,7 @@ TEST(BodyContact, NoBodyIsBeyondASheetHoweverFast) {
             time_step.finish();
             const RigidBody& now = time_step.bodies()[0];
             ASSERT_NEAR(momentum(shell, now).z(), before, 1e-6 * std::abs(before));
-            // The plate, which nothing breaks, goes down where it is pushed, and the ball with it.
+            // The plate, which does not fracture, goes down where it is pushed, and the ball with it.
             const double below = shell.position.row(2).minCoeff();
             ASSERT_GT(now.centre.z(), below) << speed << " m/s, step " << steps;
             if (touched && now.velocity.z() > -0.5 * speed) break;
@@ -142,7 +142,7 @@ void step(ImplicitStepper& time_step, int count) {
     }
 }
 
-// With friction, whose two ends part by what the contact gives in a step, torques are opposite to 1e-5.
+// With friction, whose forces act at two points a gap apart in a step, torques are opposite to 1e-5.
 class Collision : public testing::TestWithParam<double> {};
 INSTANTIATE_TEST_SUITE_P(BodyContact, Collision, testing::Values(0.0, 0.3));
 
@@ -160,7 +160,7 @@ TEST_P(Collision, KeepsMomentum) {
     const Vector3d turning = spin_momentum(shell, options.contact.bodies[0]);
     ImplicitStepper time_step(shell, options);
     std::size_t touched = 0;
-    Vector3d lost = Vector3d::Zero();  // by implicit Euler, as in free flight: h m v' x v of everything
+    Vector3d lost = Vector3d::Zero();  // lost to implicit Euler, as in free flight: h m v' x v of everything
     for (int i = 0; i < 60; ++i) {
         const Positions velocity = shell.velocity;
         const RigidBody start = time_step.bodies()[0];
@@ -182,7 +182,7 @@ TEST_P(Collision, KeepsMomentum) {
     EXPECT_LT(lost.norm(), 0.02 * turning.norm());
 }
 
-// Turning about an axis that is not principal, the axis wanders, the momentum does not.
+// A body that turns about a non-principal axis changes its axis, but must keep its angular momentum.
 TEST(BodyContact, AFreeBodyFallsAndKeepsItsAngularMomentum) {
     Shell shell = lone_vertex(Vector3d(5, 5, 5));
     StepperOptions options;
@@ -198,7 +198,7 @@ TEST(BodyContact, AFreeBodyFallsAndKeepsItsAngularMomentum) {
     EXPECT_GT((moved.spin() - box.spin()).norm(), 0.1 * box.spin().norm()) << "it tumbles";
 }
 
-// A ball that is dropped on a floor and on a fixed sphere rests on it; its weight is carried.
+// A ball that is dropped on a floor and on a fixed sphere must rest on it.
 TEST(BodyContact, BodiesRestOnObstacles) {
     Shell shell = lone_vertex(Vector3d(5, 5, 5));
     StepperOptions options;
@@ -215,8 +215,8 @@ TEST(BodyContact, BodiesRestOnObstacles) {
     }
 }
 
-// A box that is given as any solid, by its volume, its inertia and its vertices, falls, hits a floor with an
-// edge, and comes to rest, as `box` does.
+// A box that is given as any solid, by its volume, its inertia and its vertices, must fall, hit a floor with
+// an edge, and come to rest as `box` does.
 TEST(BodyContact, ASolidOfABoxFallsLikeABox) {
     const Vector3d size(0.04, 0.03, 0.02);
     const auto fallen = [&](RigidBody body) {
@@ -242,13 +242,13 @@ TEST(BodyContact, ASolidOfABoxFallsLikeABox) {
     EXPECT_LT((other.rotation - one.rotation).norm(), 1e-9);
 }
 
-// A ball laid on a soft sheet that is held at its rim sinks in and is carried.
+// A ball laid on a soft sheet that is held at its rim must sink in and be carried.
 TEST(BodyContact, ASheetCarriesABody) {
     Shell shell = stacked_plates(1, 8, 0, elastic());
     for (Index v = 0; v < static_cast<Index>(shell.rest.cols()); ++v)
         shell.fixed[v] = shell.rest.col(v).cwiseAbs().maxCoeff() > 0.0499;
     StepperOptions options;
-    options.step = 5e-3;  // long ones damp
+    options.step = 5e-3;  // long steps damp
     options.contact.bodies = {ball(Vector3d(0, 0, 0.0212), Vector3d::Zero())};
     ImplicitStepper time_step(shell, options);
     step(time_step, 200);
@@ -258,8 +258,8 @@ TEST(BodyContact, ASheetCarriesABody) {
     EXPECT_GT(body.centre.z(), 0.01);
 }
 
-// Two balls side by side, each on a vertex: what the sheet does to one, the other must feel, and the Hessian
-// must know.
+// Two balls side by side, each on a vertex: the motion of the sheet under one acts on the other, which the
+// forces and the Hessian must include.
 TEST(BodyContact, BodiesThatTouchActOnTheSheetTogether) {
     Shell shell = stacked_plates(1, 8, 0, elastic());
     shell.velocity.setZero();
@@ -284,7 +284,8 @@ TEST(BodyContact, BodiesThatTouchActOnTheSheetTogether) {
     expect_derivatives(contact, x, 1e-9, 1e-3);
 }
 
-// Balls and boxes that collide in the air keep momentum of both kinds, and do not end in each other.
+// Balls and boxes that collide in the air must keep linear and angular momentum, and must not end in each
+// other.
 TEST(BodyContact, BodiesCollide) {
     Shell shell = lone_vertex(Vector3d(5, 5, 5));
     shell.velocity.setZero();
@@ -308,7 +309,7 @@ TEST(BodyContact, BodiesCollide) {
     };
     const auto before = total(options.contact.bodies);
     ImplicitStepper time_step(shell, options);
-    Vector3d lost = Vector3d::Zero();  // by implicit Euler
+    Vector3d lost = Vector3d::Zero();  // lost to implicit Euler
     for (int i = 0; i < 1000; ++i) {
         const std::vector<RigidBody> start = time_step.bodies();
         step(time_step, 1);
@@ -325,7 +326,7 @@ TEST(BodyContact, BodiesCollide) {
     EXPECT_GT((bodies[0].centre - bodies[1].centre).norm(), 0.0399);
 }
 
-// On a slope with friction a ball rolls, at 5/7 of the acceleration at which it would slide without.
+// On a slope with friction a ball rolls, at 5/7 of its acceleration without friction.
 TEST(BodyContact, ABallRollsDownASlope) {
     const double slope = 0.3, seconds = 0.3, gravity = 9.81;
     Shell shell = lone_vertex(Vector3d(5, 5, 5));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Edges of bodies in explicit steps: they must meet edges, with forces that keep momentum and make no energy,
-// and go on so when implicit steps follow; and what springs do not hold must not go unseen.
+// Edges of bodies in explicit steps must meet edges, with forces that keep momentum and energy, also when
+// implicit steps follow; an overlap that the springs do not stop must be an error.
 #include <gtest/gtest.h>
 
 #include "core/time/stepper.h"
@@ -70,7 +70,8 @@ TEST(BodySurfaces, EdgesOfBoxesBounceAndKeepMomentumAndEnergy) {
     }
 }
 
-// Two edges of a box across two edges of obstacles, far from any corner: by corners alone it falls through.
+// Two edges of a box across two edges of obstacles, far from any corner: with contact at corners alone it
+// falls through.
 TEST(BodySurfaces, EdgesOfObstaclesCarryABox) {
     World world;
     world.options.gravity = Vector3d(0, 0, -9.81);
@@ -86,7 +87,7 @@ TEST(BodySurfaces, EdgesOfObstaclesCarryABox) {
     EXPECT_LT(std::abs(world.stepper->balance().lost_to_scheme), 0.02 * energy);
 }
 
-// What an obstacle that moves does to edges is its work, and the reaction on it is what the body feels.
+// The force of a moving obstacle on edges is the reaction on it, and its work is in the balance.
 TEST(BodySurfaces, AnObstacleThatComesUpThrowsABox) {
     World world;
     Obstacle one = roof(-0.03), other = roof(0.03);
@@ -104,7 +105,8 @@ TEST(BodySurfaces, AnObstacleThatComesUpThrowsABox) {
     EXPECT_LT(std::abs(balance.lost_to_scheme), 1e-2 * box.kinetic_energy());
 }
 
-// A box rests on edges in implicit steps; explicit ones and implicit ones again must see what these saw.
+// A box rests on edges in implicit steps; it must stay there when explicit steps follow, and implicit ones
+// again.
 TEST(BodySurfaces, SchemesGoOnWithWhatRestsOnEdges) {
     World world;
     world.options.scheme = Scheme::implicit_euler;
@@ -127,7 +129,7 @@ TEST(BodySurfaces, SchemesGoOnWithWhatRestsOnEdges) {
     EXPECT_GT(balance.lost_to_scheme - lost, -2e-3 * weight * 0.005) << "energy from nowhere";
 }
 
-// Surfaces that are in each other do not see each other, in any scheme that follows, until they are apart.
+// Surfaces that intersect at the start must not collide, in any scheme that follows, until they are apart.
 TEST(BodySurfaces, WhatCrossesAtTheStartMeetsOnceItIsApart) {
     World world;
     RigidBody up = solid_body(Vector3d(0.02, 0.1, 0.02), Vector3d(0.003, 0.002, 0.015));
@@ -163,7 +165,7 @@ TEST(BodySurfaces, EdgesThatPassEachOtherEndTheRun) {
     EXPECT_THROW(world.advance(1e-3), std::runtime_error);
 }
 
-// A thin wall that a fast box passes in a substep, with no corner in it at any time.
+// A fast box passes a thin wall in a substep, with no corner in the wall at any time.
 TEST(BodySurfaces, ABodyThatPassesInASubstepEndsTheRun) {
     World world;
     RigidBody box = solid_body(Vector3d(0.005, 0.005, 0.005), Vector3d(-0.03, 0.0003, 0));
@@ -174,7 +176,8 @@ TEST(BodySurfaces, ABodyThatPassesInASubstepEndsTheRun) {
     EXPECT_THROW(world.advance(1e-4), std::runtime_error);
 }
 
-// A corner that is pressed deeper than edges give way is held by its own spring, which gives it all back.
+// A corner that is pressed deeper than edges give way is held by its own spring, which must return all the
+// energy.
 TEST(BodySurfaces, ACornerThatSinksDeepIsThrownBack) {
     World world;
     world.options.step = 2e-6;

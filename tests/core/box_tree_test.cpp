@@ -30,7 +30,7 @@ Pairs sorted(Pairs pairs) {
     return pairs;
 }
 
-// A pair missed here is an intersection that nothing later can see; one found twice would push twice.
+// A missed pair is an intersection that nothing later finds; a pair found twice would push twice.
 TEST(BoxTree, FindsWhatBruteForceFinds) {
     Random random(2);
     for (const int count : {0, 1, 3, 4, 5, 17, 300})
@@ -52,8 +52,8 @@ TEST(BoxTree, FindsWhatBruteForceFinds) {
             }
 }
 
-// A division that is kept while boxes move must neither lose a pair, nor be kept when everything is
-// elsewhere: then each node overlaps each other, and a search takes as long as comparing all boxes.
+// A division that is reused while boxes move must not lose a pair, and must be replaced when the boxes are
+// elsewhere: otherwise all nodes overlap, and a search takes as long as comparing all boxes.
 TEST(BoxTree, FindsTheSameInAKnownDivision) {
     Random random(3);
     std::vector<Box> boxes = random_boxes(random, 300, 0.1, 1);
@@ -81,7 +81,7 @@ TEST(BoxTree, FindsTheSameInAKnownDivision) {
     EXPECT_EQ(known.element.size(), boxes.size());
 }
 
-// Touching boxes meet; equal centres, which cannot be split, do not lose anything.
+// Touching boxes meet; boxes with equal centres, which cannot be split, must not be lost.
 TEST(BoxTree, BoxesThatTouchOrCoincideMeet) {
     const Box unit{Eigen::Array3d(0, 0, 0), Eigen::Array3d(1, 1, 1)};
     const Box beside{Eigen::Array3d(1, 1, 1), Eigen::Array3d(2, 2, 2)};

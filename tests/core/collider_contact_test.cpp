@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where an obstacle's corners and edges meet the faces of a sheet, and where it is thinner than a step is
-// long, its vertices alone would let it through.
+// Where an obstacle's corners and edges meet the faces of a sheet, or an obstacle is thinner than the motion
+// in a step, contact at the sheet's vertices alone would let it through.
 #include <gtest/gtest.h>
 
 #include "core/contact/colliders/contact_colliders.h"
@@ -25,7 +25,7 @@ StepperOptions against(const Obstacle& obstacle, double step) {
     return options;
 }
 
-/// Advances by `count` steps, each of which must be possible and leave a gap.
+/// Advances by `count` steps; fails unless each can be solved and leaves a gap.
 void advance(Shell& shell, const StepperOptions& options, int count, double thickness) {
     ImplicitStepper time_step(shell, options);
     for (int i = 1; i <= count; ++i) {
@@ -37,7 +37,7 @@ void advance(Shell& shell, const StepperOptions& options, int count, double thic
     }
 }
 
-/// A box that stands on one of its corners, which is at the origin.
+/// Box that stands on one of its corners, which is at the origin.
 Obstacle spike(double friction = 0) {
     const double half = 0.02;
     Obstacle box = solid_box(Vector3d::Zero(), Vector3d::Constant(half), 3e10, friction);
@@ -47,7 +47,8 @@ Obstacle spike(double friction = 0) {
     return box;
 }
 
-// The corner and the edges of a box under faces; what they do to the sheet must be what the energy says.
+// The corner and the edges of a box under faces: a wrong derivative would push the sheet wrongly or keep the
+// solver from converging.
 TEST(ColliderContact, ForceAndStiffnessAreDerivativesOfTheValue) {
     Shell shell = stacked_plates(1, 2, 0, firm_rubber);
     shell.position.colwise() += Vector3d(0.011, 0.007, 0.2 * firm_rubber.thickness);
@@ -61,7 +62,7 @@ TEST(ColliderContact, ForceAndStiffnessAreDerivativesOfTheValue) {
     expect_friction_along_x(shell, contact, test::step_of(shell, 1, 1e-3));
 }
 
-// Between the vertices of a coarse plate there is room for the corner of a box.
+// The corner of a box fits between the vertices of a coarse plate.
 TEST(ColliderContact, ACornerDoesNotPassThroughAFace) {
     Shell shell = stacked_plates(1, 2, 0, firm_rubber);
     shell.position.colwise() += Vector3d(0.011, 0.007, 0.004);
@@ -70,7 +71,7 @@ TEST(ColliderContact, ACornerDoesNotPassThroughAFace) {
     EXPECT_GT(linear_momentum(shell).z(), -0.9 * 10 * shell.mass.sum()) << "it felt the corner";
 }
 
-// A kilometre a second at a step in which the plate would be far behind the wall.
+// 1 km/s, with a step in which the plate would end far behind the wall.
 TEST(ColliderContact, AThinWallStopsAPlateAtAKilometreASecond) {
     Shell shell = stacked_plates(1, 4, 0, ceramic);
     shell.position.row(2).array() += 0.05;
@@ -81,7 +82,7 @@ TEST(ColliderContact, AThinWallStopsAPlateAtAKilometreASecond) {
     EXPECT_GT(linear_momentum(shell).z(), 0) << "thrown back";
 }
 
-// A thin box that is moved takes along what is in its way, though it advances by many thicknesses a step.
+// A moving thin box must take along whatever is in its way, though it advances by many thicknesses a step.
 TEST(ColliderContact, AMovingWallTakesAPlateAlong) {
     Shell shell = stacked_plates(1, 4, 0, firm_rubber);
     shell.position.row(2).array() += 0.003;
@@ -93,7 +94,7 @@ TEST(ColliderContact, AMovingWallTakesAPlateAlong) {
     EXPECT_GT(shell.velocity.row(2).mean(), 15);
 }
 
-// The surface must not add to the spring that the vertices feel: a plate lies on a box as on a plane.
+// The surface must not add to the spring at the vertices: a plate lies on a box as on a plane.
 TEST(ColliderContact, APlateLiesOnABoxAsOnAPlane) {
     double depth[2];
     for (const bool surface : {false, true}) {
@@ -133,8 +134,8 @@ TEST(ColliderContact, WhatIsHeldInsideDoesNotMeetItsHolder) {
     EXPECT_LT(shell.position.row(2).minCoeff(), -5e-3) << "it hangs";
 }
 
-// Substeps must be short enough for what an obstacle brings with it: a wall that met a plate at rest within a
-// step threw it off with energy from nowhere.
+// Substeps must be short enough for an approaching obstacle: a wall that met a plate at rest within a step
+// once threw it off with too much energy.
 TEST(ColliderContact, ExplicitStepsFeelAMovingWallInTime) {
     for (const bool surface : {false, true}) {
         Shell shell = stacked_plates(1, 4, 0, firm_rubber);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Too wide an edge or too large a footprint makes contact too stiff; an edge too few lets a sheet's edge
+// Too wide an edge or too large a footprint makes contact too stiff; a missing edge lets a sheet's edge
 // through.
 #include "core/contact/geometry/collider_surface.h"
 

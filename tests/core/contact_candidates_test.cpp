@@ -28,14 +28,14 @@ void expect_all_near(const ContactSurface& surface, const std::vector<ContactPai
     EXPECT_TRUE(std::includes(names.begin(), names.end(), near.begin(), near.end()));
 }
 
-/// Every coordinate moved by up to `amplitude`.
+/// Random displacements of up to `amplitude` in every coordinate.
 Positions noise(Random& random, Index vertices, double amplitude) {
     Positions moved(3, vertices);
     for (double& entry : moved.reshaped()) entry = random.uniform(-amplitude, amplitude);
     return moved;
 }
 
-/// The bodies fly apart and turn, each its own way.
+/// Displacements of bodies that fly apart and turn, each with a velocity and a spin of its own.
 Positions flight(Random& random, const Shell& shell, double speed, double spin) {
     Positions motion(3, shell.position.cols());
     std::vector<Vector3d> velocity, rotation;
@@ -82,8 +82,8 @@ void expect_no_pair_missed(const Shell& shell) {
     EXPECT_GT(found, 10000u);
 }
 
-// A pair that was missed is an intersection that nothing later sees: whatever the motion, wherever in the
-// neighbourhood, however often and in whatever order the candidates were asked before.
+// A missed pair is an intersection that nothing later finds: whatever the motion, anywhere in the
+// neighbourhood, and whatever was asked of the candidates before.
 TEST(ContactCandidates, MissNoPairThatBruteForceFinds) {
     expect_no_pair_missed(test::stacked_plates(3, 3, 2.1e-3, test::ceramic));
 }
@@ -97,7 +97,7 @@ TEST(ContactCandidates, MissNoPairOfUnevenSheets) {
     expect_no_pair_missed(shell);
 }
 
-// Of colliders, those that rest and those that move, whatever trees were kept of them.
+// Pairs with colliders, at rest and moving, whatever trees were kept of them.
 TEST(ContactCandidates, MissNoPairWithSolids) {
     const Shell shell = test::stacked_plates(1, 4, 0, test::ceramic);
     const auto box = test::box_surface(Vector3d(0, 0, -0.0109), Vector3d(0.03, 0.02, 0.01));
@@ -132,7 +132,7 @@ TEST(ContactCandidates, MissNoPairWithSolids) {
     EXPECT_GT(found, 100u);
 }
 
-// Cracks change the surface: what is looked at anew must be all that changed, and nothing gone may stay.
+// Cracks change the surface: all changed elements must be searched again, and no removed pair may stay.
 TEST(ContactCandidates, FollowCracksAsIfFoundAnew) {
     Shell shell = test::stacked_plates(2, 4, 2.1e-3, test::ceramic);
     ContactSurface surface(shell);
@@ -163,7 +163,7 @@ TEST(ContactCandidates, FollowCracksAsIfFoundAnew) {
     }
 }
 
-// A direction that claims more room than there is would let elements pass.
+// A direction that claims more separation than the distance would let elements pass.
 TEST(ContactCandidates, SeparationIsNeverMoreThanTheDistance) {
     Random random(5);
     for (const PairKind kind : {PairKind::vertex_triangle, PairKind::edge_edge})

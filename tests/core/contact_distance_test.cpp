@@ -13,7 +13,7 @@ namespace {
 
 using test::Random;
 
-/// Vertices that have a weight.
+/// Vertices with non-zero weight.
 std::vector<int> involved(const Closest& closest) {
     std::vector<int> vertices;
     for (int i = 0; i < 4; ++i)
@@ -28,7 +28,7 @@ auto cross(const Vector& a, const Vector& b) {
     return c;
 }
 
-/// Squared distance from textbook formulas for unbounded points, lines and planes, of any scalar.
+/// Squared distance from textbook formulas for unbounded points, lines and planes, with any scalar type.
 struct Unbounded {
     PairKind kind;
     Closest closest;
@@ -40,7 +40,7 @@ struct Unbounded {
         const std::vector<int> v = involved(closest);
         if (closest.freedom == 0) return between(v[0], v[1]).squaredNorm();
         if (closest.freedom == 1) {
-            int p = 0;  // the vertex whose weight is alone in its sign
+            int p = 0;  // the vertex whose weight differs in sign from the two others
             for (const int i : v) {
                 int same = 0;
                 for (const int j : v) same += closest.weights[i] * closest.weights[j] > 0;
@@ -60,8 +60,8 @@ struct Unbounded {
     }
 };
 
-// Any wrong case, sign or cancellation: the distance must be the smallest there is, on degenerate elements
-// too.
+// Any wrong case, sign or cancellation lets elements pass: the distance must be the smallest over all points,
+// on degenerate elements, too.
 TEST(ContactDistance, IsTheSmallestOverAllPoints) {
     for (const PairKind kind : test::pair_kinds)
         for (const PairPositions& x : test::adversarial_pairs(2000)) {
@@ -82,7 +82,7 @@ TEST(ContactDistance, KeepsItsDigitsFarFromTheOrigin) {
         }
 }
 
-// All seven cases, derivatives against automatic differentiation of the textbook formula of the case.
+// All seven cases: derivatives against automatic differentiation of the textbook formula of the case.
 TEST(ContactDistance, DerivativesAreThoseOfTheTextbookFormulas) {
     int seen[2][3] = {};
     for (const PairKind kind : test::pair_kinds) {
@@ -103,13 +103,14 @@ TEST(ContactDistance, DerivativesAreThoseOfTheTextbookFormulas) {
         for (const int count : of_kind) EXPECT_GT(count, 10);
 }
 
-// The gradient is continuous over the borders between the cases: a jump would stop Newton's method.
+// The gradient is continuous over the borders between the cases: a jump would keep Newton's method from
+// converging.
 TEST(ContactDistance, GradientIsTheDifferenceQuotientAcrossCases) {
     for (const PairKind kind : test::pair_kinds) {
         Random random(5);
         for (int i = 0; i < 400; ++i) {
             PairPositions x = random.matrix<PairPositions>(1);
-            if (kind == PairKind::vertex_triangle) {  // a foot on a side, or on a corner
+            if (kind == PairKind::vertex_triangle) {  // the closest point is on a side, or on a corner
                 const double share = i % 2 ? random.uniform(0, 1) : 0;
                 const Vector3d side = (x.col(2) - x.col(1)).normalized();
                 const Vector3d off = random.matrix<Vector3d>(1);
@@ -152,7 +153,8 @@ TEST(EdgeMollifier, DerivativesAreThoseOfTheFormula) {
         const PairPositions x = random.matrix<PairPositions>(1);
         const EdgeMollifier mollifier{4};
         const auto formula = [&](const auto& at) {
-            // A scalar each: expressions of nested derivatives refer to temporaries of theirs that are gone.
+            // A scalar each: expressions of nested derivatives refer to their own temporaries, which are
+            // gone.
             using Scalar = decltype(crossing(at));
             const Scalar ratio = crossing(at) / 4.0, left = 2.0 - ratio;
             return Scalar(ratio * left);
@@ -173,7 +175,7 @@ TEST(EdgeMollifier, DerivativesAreThoseOfTheFormula) {
     EXPECT_LT(active, 180);
 }
 
-// Parallel edges: nothing of the pair is left, and nothing of it is not a number.
+// For parallel edges value and gradient must vanish, and all derivatives be finite.
 TEST(EdgeMollifier, LeavesNothingOfParallelEdges) {
     PairPositions x;
     x << 0, 1, 0.3, 1.7, 0, 0, 0, 0, 0, 0, 0.1, 0.1;
@@ -185,7 +187,7 @@ TEST(EdgeMollifier, LeavesNothingOfParallelEdges) {
     EXPECT_TRUE(squared_distance_hessian(closest, x).allFinite());
 }
 
-// The stiffness of contact is physical only if the barrier means what it says.
+// The contact stiffness is physical only with the barrier's nominal slope.
 TEST(Barrier, PushesLikeAUnitSpringAtHalfItsRangeAndSmoothlyEndsThere) {
     const Barrier barrier{0.02};
     EXPECT_NEAR(barrier.slope(0.01), -0.01, 1e-16);
@@ -211,7 +213,7 @@ TEST(Barrier, PushesLikeAUnitSpringAtHalfItsRangeAndSmoothlyEndsThere) {
     EXPECT_EQ(barrier.value(-1), std::numeric_limits<double>::infinity());
 }
 
-// Where it begins, a second spring must neither jump nor add energy.
+// At its onset a second spring must neither jump nor add energy.
 TEST(Barrier, AFirmSpringIsStifferBelowItsShareOfTheRange) {
     const Barrier soft{0.02, true}, firm{0.02, true, {.degree = 1, .halvings = 2}};
     for (const double gap : {0.025, 0.015, 0.005}) {

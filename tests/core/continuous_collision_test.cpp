@@ -23,7 +23,8 @@ long double sampled_distance(PairKind kind, const PairPositions& x, const PairPo
     return smallest;
 }
 
-/// The fraction, after a check that it neither crosses nor (if asked) stops long before it has to.
+/// Returns the safe fraction, after checks that it neither crosses nor (if `tight`) stops long before
+/// contact.
 double checked_fraction(PairKind kind, const PairPositions& x, const PairPositions& displacement,
                         double minimum, bool tight = true, int samples = 300) {
     const double fraction = safe_fraction(kind, x, displacement, minimum);
@@ -44,7 +45,7 @@ double checked_fraction(PairKind kind, const PairPositions& x, const PairPositio
     return fraction;
 }
 
-// The one property that all of contact stands on, over every degenerate position there is and random motions.
+// All of contact depends on this one property, over degenerate positions of every kind and random motions.
 TEST(ContinuousCollision, NeverReportsAStepThatCrosses) {
     for (const PairKind kind : test::pair_kinds) {
         Random random(11);
@@ -77,7 +78,7 @@ TEST(ContinuousCollision, StopsAKilometreASecondBeforeAMillimetre) {
     }
 }
 
-// A head-on hit must not be missed because the other element has fled sideways, turned, or moves along.
+// A head-on hit must not be missed when both elements also move along together.
 TEST(ContinuousCollision, CommonMotionDoesNotMatter) {
     PairPositions x;
     x << 0, -1, 2, -1, 0, -1, 0, 2, 0.1, 0, 0, 0;
@@ -91,7 +92,7 @@ TEST(ContinuousCollision, CommonMotionDoesNotMatter) {
         1);
 }
 
-// Along a sheet at a hair's breadth: either side of touching, and never stuck where there is room.
+// Motion along a sheet must stop at the minimum distance, but not where it stays further away throughout.
 TEST(ContinuousCollision, GrazingMotionPassesWhereThereIsRoom) {
     const auto graze = [](PairKind kind, const PairPositions& at, const PairPositions& way) {
         const double fraction = safe_fraction(kind, at, way, 0.01, 1e-3);
@@ -103,7 +104,7 @@ TEST(ContinuousCollision, GrazingMotionPassesWhereThereIsRoom) {
     displacement(0, 0) = 4;
     const double room = graze(PairKind::vertex_triangle, x, displacement);
     EXPECT_EQ(room, 1);
-    displacement(2, 0) = -0.0195;  // sinks into the minimum half-way
+    displacement(2, 0) = -0.0195;  // sinks to the minimum half-way
     EXPECT_LT(graze(PairKind::vertex_triangle, x, displacement), 0.6);
     PairPositions edges, along = PairPositions::Zero();
     edges << -3, -2, -1, 1, 0, 0, 0, 0, 0.02, 0.02, 0, 0;  // in line, sliding over each other
@@ -111,8 +112,8 @@ TEST(ContinuousCollision, GrazingMotionPassesWhereThereIsRoom) {
     EXPECT_EQ(graze(PairKind::edge_edge, edges, along), 1);
 }
 
-// A pair that stays twice the clearance away goes all the way, however long: whether it was looked at or not,
-// as one too far apart to be a candidate, must make no difference.
+// A pair that stays twice the clearance apart must move all the way, however far: a pair too far apart to be
+// a candidate does so untested, and the result must not depend on that.
 TEST(ContinuousCollision, ALongWayWithRoomIsNotCutShort) {
     PairPositions x, displacement = PairPositions::Zero();
     x << -40, -100, 100, 0, 0, -100, -100, 100, 0.0121, 0, 0, 0;
@@ -120,7 +121,7 @@ TEST(ContinuousCollision, ALongWayWithRoomIsNotCutShort) {
     EXPECT_EQ(safe_fraction(PairKind::vertex_triangle, x, displacement, 0.01, 1e-3), 1);
 }
 
-// Parallel edges that fall onto each other, turn into each other, or are one the mirror image of the other.
+// Parallel edges that fall onto each other, turn into each other, or are mirror images of each other.
 TEST(ContinuousCollision, ParallelEdgesMeet) {
     PairPositions x, displacement = PairPositions::Zero();
     x << 0, 1, 0.2, 1.2, 0, 0, 0, 0, 1, 1, 0, 0;
@@ -133,7 +134,7 @@ TEST(ContinuousCollision, ParallelEdgesMeet) {
     EXPECT_LT(checked_fraction(PairKind::edge_edge, x, displacement, 0), 1);
 }
 
-// Touching already: nothing may move, whatever the direction; nor may not-a-number pass for free.
+// Elements that touch already may not move, whatever the direction; nor may not-a-number give a free motion.
 TEST(ContinuousCollision, NothingMovesThatTouches) {
     PairPositions x, displacement = PairPositions::Zero();
     x << 0, -1, 2, -1, 0, -1, 0, 2, 0, 0, 0, 0;

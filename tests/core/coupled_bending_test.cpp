@@ -11,7 +11,8 @@
 namespace sherd {
 namespace {
 
-// A wrong sign or factor in the forces, or a pair of vertices that the pattern misses, would show here.
+// With a wrong sign or factor in the forces, or a pair of vertices missing in the pattern, sheets would move
+// wrongly or the solver would not converge.
 TEST(CoupledBending, DerivativesAreThoseOfTheValue) {
     Shell flat_sheet = test::flat_patch(), shell = test::curved_patch();
     for (Shell* sheet : {&flat_sheet, &shell}) {
@@ -22,15 +23,15 @@ TEST(CoupledBending, DerivativesAreThoseOfTheValue) {
     }
 }
 
-// Where faces yield the solver would not find its minimum. (Far beyond the yield stress, or within it: in
-// between the second derivative changes too fast for differences; YieldingSection looks there.)
+// Otherwise the solver would not converge where faces yield. (Far beyond the yield stress, or within it: in
+// between the second derivative changes too fast for differences; YieldingSection tests that.)
 TEST(CoupledBending, DerivativesAreThoseOfTheValueWhereFacesYield) {
     Shell shell = test::curved_patch();
     shell.face_sheet.assign(shell.triangles.size(), 0);
     const Positions x = test::shaken(shell, 0.03, 1);
     const CoupledBending elastic(shell, test::patch_mirrors(shell));
     const Eigen::Matrix3Xd bent = elastic.curvatures(x);
-    double moment = 0;  // N, on the mean
+    double moment = 0;  // N, mean over the faces
     for (Index f = 0; f < static_cast<Index>(shell.triangles.size()); ++f)
         moment += (elastic.rigidity(f) * bent.col(f)).norm() / shell.triangles[f].membrane.area /
                   static_cast<double>(shell.triangles.size());
@@ -46,7 +47,7 @@ TEST(CoupledBending, DerivativesAreThoseOfTheValueWhereFacesYield) {
     EXPECT_LT((bending.curvatures(x) + bending.kept_curvatures(x) - bent).norm(), 1e-9 * bent.norm());
 }
 
-// Sheets must neither move nor spin by their own bending, and must stay as they are made.
+// Sheets must neither move nor spin by their own bending, and must keep their rest shape.
 TEST(CoupledBending, RestIsEquilibriumAndRigidMotionCostsNothing) {
     Shell shell = test::curved_patch();
     const CoupledBending bending(shell, {});
@@ -65,7 +66,7 @@ TEST(CoupledBending, RestIsEquilibriumAndRigidMotionCostsNothing) {
     EXPECT_NEAR(bending.value(x_moved), bending.value(x), 1e-11 * bending.value(x));
 }
 
-// Newton's method goes on with it where the Hessian itself is indefinite.
+// Newton's method uses the convex Hessian where the exact one is indefinite.
 TEST(CoupledBending, ConvexHessianIsSemidefiniteAndExactAtRest) {
     Shell shell = test::curved_patch();
     const CoupledBending bending(shell, test::patch_mirrors(shell));
@@ -76,8 +77,8 @@ TEST(CoupledBending, ConvexHessianIsSemidefiniteAndExactAtRest) {
     EXPECT_LT((exact - test::hessian_of(bending, shell.rest, Curvature::convex)).norm(), 1e-9 * exact.norm());
 }
 
-// Mechanisms would let a sheet crumple for nothing: of a free shell only the rigid motions, and of a flat one
-// all motions in its plane, may cost no bending.
+// Mechanisms would let a sheet crumple without energy: only the rigid motions of a free shell, and all
+// motions of a flat one in its plane, may cost no bending.
 TEST(CoupledBending, FlatSheetHasNoModesWithoutEnergyButItsPlanes) {
     const Shell shell = test::flat_patch();
     const CoupledBending bending(shell, {});
@@ -121,19 +122,19 @@ TEST(CoupledBending, QuadraticSurfaceHasItsCurvatureInEveryFaceButAtFreeEdges) {
     EXPECT_GT(inner, 20);
 }
 
-// At a symmetry plane and at a clamp the faces know the other half of the surface.
+// At a symmetry plane and at a clamp the faces must include the other half of the surface.
 TEST(CoupledBending, SurfaceHasItsCurvatureBesideMirrors) {
     Shell shell = test::flat_patch();
     const double amplitude = 1e-6;
-    Positions x = shell.rest;  // its slope is zero across both mirrors
+    Positions x = shell.rest;  // slope zero across both mirrors
     for (Index v = 0; v < x.cols(); ++v) x(2, v) = amplitude * (0.5 * x(0, v) * x(0, v) - x(1, v) * x(1, v));
     const Eigen::Matrix3Xd curvatures = CoupledBending(shell, test::patch_mirrors(shell)).curvatures(x);
-    const std::array<Index, 3>& corner = shell.triangles[1].vertices;  // of both mirrors
+    const std::array<Index, 3>& corner = shell.triangles[1].vertices;  // a corner on both mirrors
     EXPECT_EQ(*std::ranges::min_element(corner), 0);
     EXPECT_NEAR((curvatures(0, 1) + curvatures(1, 1)) / amplitude, -1, 1e-6);
 }
 
-// Damping measures from another shape than rest.
+// Damping measures from a shape other than rest.
 TEST(CoupledBending, StartsFromAnyShape) {
     const Shell shell = test::curved_patch();
     CoupledBending bending(shell, {});

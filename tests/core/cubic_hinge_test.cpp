@@ -25,7 +25,7 @@ TEST(CubicHinge, FeelsNoForceAtRestHoweverCurved) {
     }
 }
 
-// Newton's method falls back on this matrix where the whole Hessian is not definite.
+// Newton's method uses this matrix where the exact Hessian is indefinite.
 TEST(CubicHinge, QuadraticPartIsPositiveSemidefinite) {
     Random random(5);
     for (int i = 0; i < 500; ++i) {
@@ -35,7 +35,8 @@ TEST(CubicHinge, QuadraticPartIsPositiveSemidefinite) {
     }
 }
 
-// The correction must be one of edge lengths, which no isometry changes: nothing may join the apexes 2 and 3.
+// The correction must be a sum over edge lengths, which no isometry changes: nothing may join the apexes 2
+// and 3.
 TEST(CubicHinge, QuadraticCorrectionIsMadeOfEdgeLengths) {
     Random random(6);
     for (int i = 0; i < 200; ++i) {
@@ -67,7 +68,7 @@ TEST(CubicHinge, IsTheQuadraticModelWhereTheRestShapeIsFlat) {
     }
 }
 
-// The form of 2007 is what it is known to be: forces at rest that the correction removes.
+// The form of 2007 has its known forces at rest, which the correction removes.
 TEST(CubicHinge, FormOf2007FeelsAForceAtRestWhereItIsCurved) {
     const HingePositions rest = test::folded_hinge(1, 0.4, 0.7, 0.2, 1.1);
     EXPECT_NEAR(value(cubic_hinge_2007(rest, bend_stiffness), rest), 0, 1e-14);
@@ -83,7 +84,7 @@ TEST(Hinge, StrainIsTheChangeOfAngleOverTheHeightOfTheHinge) {
     const RestHinge rest = rest_hinge(test::folded_hinge(3.0, 0.4, 0.7, 0.2, 1.1));
     EXPECT_NEAR(rest.area, 0.9, 1e-15);
     EXPECT_NEAR(hinge_strain(rest, test::folded_hinge(2.5, 0.4, 0.7, 0.2, 1.1)), -0.5 / 0.9, 1e-13);
-    // Folding on through flat onto itself goes the short way round.
+    // Folding further through flat onto itself goes the short way round.
     EXPECT_NEAR(hinge_strain(rest, test::folded_hinge(-3.0, 0.4, 0.7, 0.2, 1.1)),
                 (2 * std::acos(-1.0) - 6) / 0.9, 1e-13);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Between the samples of a cache: what is not there must be where an animator expects it, and without jumps.
+// Between the samples of a cache an obstacle must be where an animator expects it, without jumps.
 #include "core/deformation.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 namespace sherd {
 namespace {
 
-/// One point on the z axis, m, at uneven times.
+/// Deformation of one point on the z axis, m, at uneven times.
 Deformation heights(std::vector<double> times, const std::vector<float>& z, bool smooth) {
     Deformation deformation{std::move(times), {}, smooth};
     for (const float height : z) deformation.samples.push_back(Eigen::Vector3f(0, 0, height));
@@ -36,7 +36,7 @@ TEST(Deformation, LinearGoesAtConstantSpeed) {
     EXPECT_NEAR(height(d, 3), -0.5, 1e-15);
 }
 
-// A jump of the velocity would be a blow to whatever touches, at every sample.
+// A jump of the velocity at a sample would be a blow to everything in contact.
 TEST(Deformation, SmoothHasNoJumpsOfItsVelocity) {
     const Deformation d = heights({1, 2, 4, 5}, {0, 1, -2, 3}, true);
     constexpr double h = 1e-6;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Free bodies on obstacles that deform: they have no inside and no springs, so that all they do to a body is
-// done by their triangles, in either kind of steps.
+// Free bodies on deforming obstacles, which have no inside and no springs: all contact forces on a body come
+// from their triangles, in implicit and explicit steps.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,8 @@
 namespace sherd::test {
 namespace {
 
-/// A plate 0.2 m wide that bulges: it rises by `height` m in `duration` s, at its rim by less.
+/// Plate 0.2 m wide that bulges: it rises by `height` m in `duration` s, at its rim by the share `rim` of
+/// that.
 Obstacle bulge(double height, double duration, double rim = 1) {
     std::vector<Positions> samples;
     for (int s = 0; s <= 40; ++s) {
@@ -41,7 +42,7 @@ struct Scene {
         options.contact.bodies = bodies;
         stepper = make_stepper(shell, options);
     }
-    /// Steps, halved where they cannot be made.
+    /// Advances by steps that are halved where they fail.
     void advance(double duration) {
         double length = options.step;
         for (double time = 0; time < duration * (1 - 1e-9);) {
@@ -73,7 +74,7 @@ class DeformingBodies : public testing::TestWithParam<Scheme> {};
 INSTANTIATE_TEST_SUITE_P(Deforming, DeformingBodies,
                          testing::Values(Scheme::implicit_euler, Scheme::bdf2, Scheme::explicit_differences));
 
-// What it does to a box is its work, and in the end the weight of what it has lifted.
+// The work of the plate on the bodies must be in the balance, and in the end carry their weight.
 TEST_P(DeformingBodies, APlateThatRisesCarriesABoxAndABall) {
     const double height = 0.02, duration = 0.06;
     Obstacle plate = bulge(height, duration);
@@ -101,7 +102,7 @@ TEST_P(DeformingBodies, APlateThatRisesCarriesABoxAndABall) {
     }
 }
 
-// Its shape is what they meet: a box lies across the top of a bulge, where no corner of either is near.
+// Bodies meet the deformed shape: a box lies across the top of a bulge, where no corner of either is near.
 TEST_P(DeformingBodies, ABoxLiesAcrossABulge) {
     Scene scene(bulge(0.01, 0.05, 0), {solid_body(Vector3d(0.12, 0.02, 0.01), Vector3d(0, 0, 0.006))},
                 GetParam());
@@ -125,7 +126,7 @@ TEST_P(DeformingBodies, ABeltTakesABoxAlong) {
     EXPECT_GT(balance.lost_to_scheme, -0.1 * kinetic) << "all else is the work of the belt";
 }
 
-// From either side nothing passes it, however fast.
+// No fast body may pass it from either side.
 TEST(DeformingBodies, FastOnesDoNotPass) {
     for (const double from : {1.0, -1.0}) {
         RigidBody ball = round_body(0.0025, Vector3d(0.013, 0.008, 0.03 * from));
@@ -141,7 +142,7 @@ TEST(DeformingBodies, FastOnesDoNotPass) {
     EXPECT_THROW(scene.advance(1e-4), std::runtime_error) << "or the run ends";
 }
 
-// What starts across it passes until it is off it.
+// A body that starts across it passes until it is off it.
 TEST_P(DeformingBodies, WhatStartsAcrossPasses) {
     Scene scene(bulge(0.0001, 1), {solid_body(Vector3d(0.04, 0.03, 0.02), Vector3d(0, 0, 0.002))},
                 GetParam());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Obstacles whose points are told one by one: they have no inside and no springs, so that all they do to a
-// sheet is done by their triangles.
+// Obstacles with prescribed points, which have no inside and no springs: all contact forces on a sheet come
+// from their triangles.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -19,7 +19,7 @@
 namespace sherd::test {
 namespace {
 
-/// A strip that closes like a book about the y axis, from flat to half a turn of either half in 1 s.
+/// Strip that closes like a book about the y axis, from flat to a quarter turn of either half in 1 s.
 Obstacle closing_book(double length, double width, int count) {
     std::vector<Positions> samples;
     for (int s = 0; s <= 40; ++s) {
@@ -45,7 +45,7 @@ StepperOptions against(const Obstacle& obstacle, double step, Scheme scheme = Sc
     return options;
 }
 
-/// Advances by `count` steps, each of which must be possible and leave a gap.
+/// Advances by `count` steps; fails unless each can be solved and leaves a gap.
 void advance(Shell& shell, Stepper& stepper, const StepperOptions& options, int count) {
     for (int i = 1; i <= count; ++i) {
         ASSERT_TRUE(stepper.begin()) << "step " << i;
@@ -55,15 +55,15 @@ void advance(Shell& shell, Stepper& stepper, const StepperOptions& options, int 
     }
 }
 
-// Coplanar triangles may bend later, and then their edge is there to be met.
+// Coplanar triangles may bend later; without their edge a sheet would pass there.
 TEST(DeformingObstacle, KeepsEdgesOfCoplanarTriangles) {
     const Positions points = strip_points(1, 1, 4);
     EXPECT_EQ(collider_surface(points, strip_triangles(4), true).edges.size(), 30u);
     EXPECT_EQ(collider_surface(points, strip_triangles(4)).edges.size(), 12u) << "the rim";
 }
 
-// It pushes from half the thickness on, as other obstacles do with their springs; their surface only from a
-// quarter.
+// Such an obstacle acts from half the thickness on, as other obstacles do with their springs; the surfaces of
+// those act only from a quarter.
 TEST(DeformingObstacle, PushesFromHalfTheThicknessOn) {
     for (const double height : {0.49, 0.51}) {
         Shell shell = stacked_plates(1, 2, 0, firm_rubber);
@@ -73,7 +73,8 @@ TEST(DeformingObstacle, PushesFromHalfTheThicknessOn) {
     }
 }
 
-// What it does to the sheet must be what the energy says, also while its points move apart.
+// Wrong derivatives of the contact energy would push the sheet wrongly, also while the obstacle's points move
+// apart.
 TEST(DeformingObstacle, ForceAndStiffnessAreDerivativesOfTheValue) {
     Shell shell = stacked_plates(1, 2, 0, firm_rubber);
     const Matrix3d tilt = Eigen::AngleAxisd(0.01, Vector3d(1, 0.6, 0.2).normalized()).toRotationMatrix();
@@ -88,8 +89,9 @@ TEST(DeformingObstacle, ForceAndStiffnessAreDerivativesOfTheValue) {
     expect_friction_along_x(shell, contact, moved);
 }
 
-// One whose points all move as a rigid wall's do is such a wall, though the springs of the latter are softer
-// at first: a plate that is taken along flies off alike. At an angle, so that the wall also turns.
+// An obstacle whose points all move as a rigid wall's do must act like the wall, though the springs of the
+// latter are softer at first: a plate that is taken along must fly off equally fast. The motion is at an
+// angle, so that the wall also turns.
 TEST(DeformingObstacle, ThatMovesRigidlyDoesWhatARigidOneDoes) {
     Vector3d velocity[2];
     for (const bool deforms : {false, true}) {
@@ -113,7 +115,7 @@ TEST(DeformingObstacle, ThatMovesRigidlyDoesWhatARigidOneDoes) {
     EXPECT_LT((velocity[1] - velocity[0]).norm(), 0.03 * velocity[0].norm());
 }
 
-// Two halves of a book close on a plate that lies across: it is bent or pushed out, and neither cuts it.
+// Two halves of a book close on a plate that lies across: they may bend it or push it out, but not cut it.
 TEST(DeformingObstacle, ThatClosesOnAPlateDoesNotPassThroughIt) {
     for (const Scheme scheme : {Scheme::implicit_euler, Scheme::explicit_differences}) {
         Shell shell = stacked_plates(1, 4, 0, firm_rubber);
@@ -123,7 +125,7 @@ TEST(DeformingObstacle, ThatClosesOnAPlateDoesNotPassThroughIt) {
         advance(shell, *stepper, options, 150);
         const double height = shell.position.row(2).mean();
         EXPECT_GT(height, 0.02) << "it was pushed up";
-        // What it got is what the book did on it.
+        // The plate's energy must come from the work of the obstacle.
         const EnergyBalance& balance = stepper->balance();
         const double kinetic = 0.5 * shell.mass.sum() * shell.velocity.rowwise().mean().squaredNorm();
         EXPECT_GT(balance.work_of_obstacles, kinetic);
@@ -132,7 +134,7 @@ TEST(DeformingObstacle, ThatClosesOnAPlateDoesNotPassThroughIt) {
     }
 }
 
-// What lies on a belt is taken along, and its energy is what friction gave it.
+// A plate on a belt is taken along, and its energy must come from friction.
 TEST(DeformingObstacle, CarriesWhatLiesOnItByFriction) {
     constexpr double speed = 0.2, coefficient = 0.5, fall = 9.81;
     for (const Scheme scheme : {Scheme::implicit_euler, Scheme::explicit_differences}) {
@@ -154,7 +156,7 @@ TEST(DeformingObstacle, CarriesWhatLiesOnItByFriction) {
     }
 }
 
-// A belt that is stretched below a plate at rest pulls both of its halves outward, and it stays.
+// A belt that is stretched below a plate at rest pulls both of its halves outward, and the plate stays.
 TEST(DeformingObstacle, ThatIsStretchedPullsBothWays) {
     Shell shell = stacked_plates(1, 4, 0, firm_rubber);
     shell.position.row(2).array() += 0.499 * firm_rubber.thickness;
@@ -168,7 +170,7 @@ TEST(DeformingObstacle, ThatIsStretchedPullsBothWays) {
     EXPECT_GT(width, shell.rest.row(0).maxCoeff() - shell.rest.row(0).minCoeff()) << "it was stretched";
 }
 
-// A pinned vertex that touches it at the start is held by it.
+// A pinned vertex that touches the obstacle at the start is held by it, and must not collide with it.
 TEST(DeformingObstacle, DoesNotMeetWhatIsPinnedOnIt) {
     Shell shell = stacked_plates(1, 4, 0, firm_rubber);
     shell.fixed[0] = 1;

@@ -22,7 +22,7 @@ struct Moments {
     }
 };
 
-// Newton's method would not converge, or to something else.
+// With wrong derivatives Newton's method would not converge, or to a wrong shape.
 TEST(EdgeMoment, GradientAndHessianAreDerivatives) {
     Moments moments;
     LoadEnergy energy(moments.shell, {moments.load});
@@ -33,7 +33,7 @@ TEST(EdgeMoment, GradientAndHessianAreDerivatives) {
     test::expect_derivatives(energy, x, 1e-4, 1e-7);
 }
 
-// A couple has no force, and its moment about the side is the one that was asked for, at any angle.
+// A couple has no force, and its moment about the side must be the given one, at any angle.
 TEST(EdgeMoment, IsACoupleOfItsSizeAboutItsSide) {
     Shell shell = test::two_triangles(Material{});
     const TriangleEdge side{0, 1};
@@ -57,7 +57,7 @@ TEST(EdgeMoment, IsACoupleOfItsSizeAboutItsSide) {
     }
 }
 
-// Over several turns the energy goes on where the last step ended.
+// Over several turns the energy must continue from the angle at the end of the last step.
 TEST(EdgeMoment, CountsFromTheBeginningOfTheStep) {
     Shell shell = test::two_triangles(Material{});
     const std::array<Index, 3> corners = edge_and_apex(shell, {0, 1});

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where energy goes, beside sums that can be done by hand. Were an account wrong, the balance would still
-// close where two faults are each other's opposite; here each stands alone.
+// Each term of the energy balance against sums by hand: in the sum alone, two opposite faults would cancel.
 #include <gtest/gtest.h>
 
 #include "core/time/implicit_stepper.h"
@@ -33,8 +32,7 @@ Motion upwards(double speed) {
     return motion;
 }
 
-// In free fall implicit Euler takes half the mass times the square of what the velocity changes by, each
-// step.
+// In free fall implicit Euler loses half the mass times the square of the change of velocity in each step.
 TEST(EnergyLedger, InFreeFallTheSchemeTakesWhatTheoryTells) {
     Shell shell = test::stacked_plates(1, 4, 0, test::ceramic);
     ImplicitStepper stepper(shell, exact_steps(1e-3));
@@ -48,7 +46,7 @@ TEST(EnergyLedger, InFreeFallTheSchemeTakesWhatTheoryTells) {
 }
 
 // Pins that lift a plate do the work of weight, and twice the kinetic energy that they give it at once: half
-// of it goes to the scheme.
+// of this is lost to the scheme.
 TEST(EnergyLedger, PinsThatLiftAPlateWorkAgainstItsWeight) {
     Shell shell = test::stacked_plates(1, 4, 0, test::ceramic);
     shell.motions.push_back(upwards(0.5));
@@ -82,7 +80,7 @@ TEST(EnergyLedger, AClampThatTurnsWorks) {
         const EnergyBalance& balance = after_steps(stepper, 60);
         EXPECT_GT(balance.work_of_supports, 1e-3);
         EXPECT_LT(std::abs(balance.unexplained), 1e-9 * balance.work_of_supports);
-        // Half a step of a force that changes is what the rectangle rule errs: little beside the work.
+        // Half a step of a changing force is the error of the rectangle rule: small beside the work.
         EXPECT_LT(std::abs(balance.lost_to_scheme), 0.2 * balance.work_of_supports);
     }
 }
@@ -122,7 +120,8 @@ TEST(EnergyLedger, FrictionTakesItsForceTimesTheWay) {
     EXPECT_LT(std::abs(balance.unexplained), 1e-9 * balance.lost_to_friction);
 }
 
-// Damping by the medium: the velocity falls by 1 / (1 + c h) each step, by a force c m v over the way v h.
+// Damping by the medium: the velocity falls by 1 / (1 + c h) each step, by a force c m v over the distance v
+// h.
 TEST(EnergyLedger, DampingTakesItsForceTimesTheWay) {
     Shell shell = test::stacked_plates(1, 4, 0, test::ceramic);
     shell.velocity.row(1).setConstant(2);
@@ -139,7 +138,7 @@ TEST(EnergyLedger, DampingTakesItsForceTimesTheWay) {
     EXPECT_NEAR(after_steps(stepper, 20).lost_to_damping, expected, 1e-9 * expected);
 }
 
-// Dead loads on a plate that nothing holds.
+// Dead loads on a free plate.
 TEST(EnergyLedger, LoadsWorkAlongTheWay) {
     Shell shell = test::stacked_plates(1, 4, 0, test::ceramic);
     StepperOptions options = exact_steps(1e-3);
@@ -186,7 +185,7 @@ class HingeThatFails : public ::testing::Test {
     std::optional<ImplicitStepper> stepper;
 };
 
-// It takes its energy with it, and no other.
+// A hinge that fails removes its own energy from the balance, and no other.
 TEST_F(HingeThatFails, TakesItsEnergy) {
     solve();
     const double bent = stepper->energies().bending;
@@ -197,7 +196,7 @@ TEST_F(HingeThatFails, TakesItsEnergy) {
     expect_lost(bent);
 }
 
-// A step that is given up leaves nothing but what broke: then the energy of the hinge at the step's
+// A step that is given up leaves only the failure: the balance loses the energy of the hinge at the step's
 // beginning.
 TEST_F(HingeThatFails, CountsOnceInAStepThatIsBegunAgain) {
     const double bent = stepper->energies().bending;
@@ -207,7 +206,8 @@ TEST_F(HingeThatFails, CountsOnceInAStepThatIsBegunAgain) {
     expect_lost(bent);
 }
 
-// A body that spins about no axis of its own and meets a plate: all that both exchange is in the balance.
+// A body that spins about a non-principal axis and meets a plate: the balance must include all that both
+// exchange.
 TEST(EnergyLedger, ClosesWithABodyThatSpinsIntoAPlate) {
     Shell shell = test::stacked_plates(1, 4, 0, test::rubber);
     shell.fixed[0] = shell.fixed[4] = shell.fixed[20] = shell.fixed[24] = 1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Explicit steps beside theory, and beside what they have to keep: were the substep too long, a force missing
-// or counted late, energy would grow, momentum be lost or a frequency be off.
+// Explicit steps against theory and conservation laws: with too long a substep, or a force that is missing or
+// late, energy would grow, momentum be lost or a frequency be wrong.
 #include "core/time/explicit_stepper.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ void advance(Stepper& stepper, int steps) {
     }
 }
 
-/// As highest_frequency() asks for it.
+/// Elastic gradient as highest_frequency() takes it.
 auto gradient_of(ShellEnergies& forces) {
     return [&](const Positions& x) { return test::elastic_gradient(forces, x); };
 }
@@ -65,7 +65,7 @@ class ExplicitModes : public ::testing::Test {
     Eigen::MatrixXd modes;
 };
 
-// A longer substep than the highest frequency allows makes energy out of nothing.
+// A substep longer than the highest frequency allows makes the energy grow without bound.
 TEST_F(ExplicitModes, TheHighestFrequencyIsFoundFromBelow) {
     Positions mode;
     const double exact = std::sqrt(squares.maxCoeff());
@@ -76,8 +76,8 @@ TEST_F(ExplicitModes, TheHighestFrequencyIsFoundFromBelow) {
     EXPECT_GT(again, 0.985 * exact);
 }
 
-// Were it looked for near the last mode alone, a faster face of another piece would not be found, and the
-// step would be too long for it.
+// A search near the last mode alone would miss a faster face of another piece, for which the substep would
+// then be too long.
 TEST(ExplicitFrequency, AFasterPieceIsFoundFromAModeOfAnother) {
     Shell shell = test::stacked_plates(2, 5, 0.1, test::glass);
     ShellEnergies forces{shell, {}};
@@ -93,8 +93,8 @@ TEST(ExplicitFrequency, AFasterPieceIsFoundFromAModeOfAnother) {
     EXPECT_GT(highest_frequency(gradient_of(forces), shell, shell.position, mode), 0.985 * highest);
 }
 
-// Of a single vertex that can move the method has only three directions, and must not find those of the
-// others.
+// With a single free vertex the method has only three directions, and must not find frequencies of the fixed
+// ones.
 TEST_F(ExplicitModes, AVertexAmongHeldOnesHasItsOwnFrequency) {
     std::ranges::fill(shell.fixed, 1);
     shell.fixed[shell.fixed.size() / 2] = 0;
@@ -105,14 +105,14 @@ TEST_F(ExplicitModes, AVertexAmongHeldOnesHasItsOwnFrequency) {
                 1e-3);
 }
 
-// Where nothing can move there is no frequency.
+// A shell without free vertices has no frequency.
 TEST_F(ExplicitModes, AHeldShellHasNone) {
     std::ranges::fill(shell.fixed, 1);
     Positions mode;
     EXPECT_EQ(highest_frequency(gradient_of(forces), shell, shell.position, mode), 0);
 }
 
-// A mode of vibration swings with its own frequency, and keeps its energy.
+// A mode of vibration must keep its frequency and its energy.
 TEST_F(ExplicitModes, SwingWithTheirFrequencyAndKeepTheirEnergy) {
     const Eigen::Index number = 20;  // a bending mode; the first six are rigid
     const double frequency = std::sqrt(squares[number]), period = 2 * std::numbers::pi / frequency;
@@ -147,7 +147,7 @@ TEST_F(ExplicitModes, DampingTakesTheEnergyThatTheoryTells) {
     EXPECT_LT(std::abs(stepper.balance().unexplained), 1e-9 * energy);
 }
 
-// What flies and swings by large angles keeps energy and both momenta.
+// A plate that flies and vibrates by large angles must keep its energy and both momenta.
 TEST(ExplicitStepper, KeepsEnergyAndMomentumInFreeFlight) {
     Shell shell = test::stacked_plates(1, 6, 0, test::rubber);
     for (Index v = 0; v < static_cast<Index>(shell.mass.size()); ++v) {
@@ -165,7 +165,7 @@ TEST(ExplicitStepper, KeepsEnergyAndMomentumInFreeFlight) {
     EXPECT_LT(std::abs(stepper.balance().unexplained), 1e-11 * kinetic);
 }
 
-// The sag of a strip that is held at one end, once it has come to rest: the same that a solution finds.
+// The sag of a strip that is held at one end, once it has come to rest, must be that of implicit steps.
 TEST(ExplicitStepper, ComesToRestWhereStaticsDo) {
     Shell shell = test::stacked_plates(1, 5, 0, test::firm_rubber);
     for (const Index v : {0, 1, 2, 3, 4, 5}) shell.fixed[v] = 1;
@@ -190,7 +190,7 @@ TEST(ExplicitStepper, ComesToRestWhereStaticsDo) {
     EXPECT_LT((rested - shell.position).norm(), 1e-3 * (rested - shell.rest).norm());
 }
 
-// A plate that slides stops after v^2 / (2 mu g), and friction has taken all it had.
+// A plate that slides stops after v^2 / (2 mu g), and friction must have taken all of its kinetic energy.
 TEST(ExplicitStepper, FrictionStopsAPlateAfterItsWay) {
     Shell shell = test::stacked_plates(1, 4, 0, test::rubber);
     StepperOptions options = explicit_steps(2e-4, true);
@@ -209,7 +209,7 @@ TEST(ExplicitStepper, FrictionStopsAPlateAfterItsWay) {
     EXPECT_LT(linear_momentum(shell).head<2>().norm(), 1e-3 * shell.mass.sum() * 0.4);
 }
 
-// A ball that a plate throws back: momentum goes over, energy stays.
+// A plate throws a ball back: momentum must pass to the plate, and energy be kept.
 TEST(ExplicitStepper, ABallAndAPlateExchangeMomentumAndKeepEnergy) {
     Shell shell = test::stacked_plates(1, 8, 0, test::glass);
     RigidBody ball = rigid_sphere(0.01, 7850);
@@ -233,8 +233,7 @@ TEST(ExplicitStepper, ABallAndAPlateExchangeMomentumAndKeepEnergy) {
     EXPECT_LT(std::abs(stepper.balance().unexplained), 1e-10 * ball.kinetic_energy());
 }
 
-// The work of weight on bodies is that of what they have moved: nothing before the first substep, whatever
-// was in the memory before.
+// The work of weight on bodies must be zero before the first substep, whatever was in the memory before.
 TEST(ExplicitStepper, TheBalanceOfFallingBodiesBeginsAtNothing) {
     for (const std::size_t count : {1, 2, 3, 5}) {
         { const std::vector<std::vector<double>> dirt(64, std::vector<double>(6 * count, 1e200)); }
@@ -252,8 +251,8 @@ TEST(ExplicitStepper, TheBalanceOfFallingBodiesBeginsAtNothing) {
     }
 }
 
-// A plate on a peg between its vertices: what rubs is the peg's surface, and its force is the coefficient
-// times what it presses with. Without it what vertices do not touch would slide for nothing.
+// A plate on a peg between its vertices: friction acts on the peg's surface, with the coefficient times the
+// contact force. With friction at vertices alone the plate would slide freely.
 TEST(ExplicitStepper, FrictionOnABodyBetweenVerticesIsTheCoefficientTimesThePressure) {
     Shell shell = test::stacked_plates(1, 4, 0, test::glass);
     RigidBody peg = rigid_box(Vector3d(6e-3, 5e-3, 8e-3), 2e6);
@@ -277,7 +276,8 @@ TEST(ExplicitStepper, FrictionOnABodyBetweenVerticesIsTheCoefficientTimesThePres
     EXPECT_LT(std::abs(stepper.balance().lost_to_scheme), 1e-3 * kinetic);
 }
 
-// Cracks that are there from the start part before the first step: forces are taken before any has begun.
+// Cracks that exist from the start separate before the first step: forces are evaluated before any step has
+// begun.
 TEST(ExplicitStepper, AChangeOfTheShellBeforeTheFirstStepLeavesNoTrace) {
     Shell shell = test::stacked_plates(1, 4, 0, test::rubber);
     shell.velocity.row(1).setConstant(2);
@@ -292,7 +292,7 @@ TEST(ExplicitStepper, AChangeOfTheShellBeforeTheFirstStepLeavesNoTrace) {
     EXPECT_EQ(stepper.balance().lost_to_damping, changed.balance().lost_to_damping);
 }
 
-// A plate that is thrown at another one stops, and the other one flies on.
+// A plate that is thrown at another one stops, and the other one continues.
 TEST(ExplicitStepper, PlatesDoNotPassButExchangeTheirVelocity) {
     Shell shell = test::stacked_plates(2, 4, 4.2e-3, test::glass);
     const Index half = static_cast<Index>(shell.mass.size()) / 2;
@@ -315,7 +315,7 @@ TEST(ExplicitStepper, PlatesDoNotPassButExchangeTheirVelocity) {
     EXPECT_LT(std::abs(stepper.balance().lost_to_scheme), 0.02 * kinetic);
 }
 
-// What moves as it is told is where it is told to be, and its work is in the balance.
+// Vertices with a prescribed motion must follow it, and the balance must include its work.
 TEST(ExplicitStepper, PinsThatMoveArriveAndWork) {
     Shell shell = test::stacked_plates(1, 4, 0, test::rubber);
     Motion motion;
@@ -334,7 +334,7 @@ TEST(ExplicitStepper, PinsThatMoveArriveAndWork) {
     EXPECT_LT(std::abs(stepper.balance().lost_to_scheme), 0.02 * energy);
 }
 
-/// A plate that two of its sides pull to twice its length, in a fifth of a second.
+/// Plate that two of its sides pull to twice its length in 0.2 s.
 Shell pulled_plate() {
     Shell shell = test::stacked_plates(1, 4, 0, test::rubber);
     Motion still, motion;
@@ -349,7 +349,7 @@ Shell pulled_plate() {
     return shell;
 }
 
-// Stretch stiffens: a substep that was short enough at rest is too long then, and positions run away.
+// Stretch stiffens: a substep that was short enough at rest becomes too long, and positions diverge.
 TEST(ExplicitStepper, WhatIsStretchedToTwiceItsLengthStaysStable) {
     Shell shell = pulled_plate();
     ExplicitStepper stepper(shell, explicit_steps(1e-3));
@@ -363,7 +363,7 @@ TEST(ExplicitStepper, WhatIsStretchedToTwiceItsLengthStaysStable) {
     EXPECT_LT(kinetic_energy(shell), 0.01 * work);
 }
 
-// What comes near in one long step, but is thrown back, has not passed.
+// A plate that comes near in one long step, but is thrown back, has not passed.
 TEST(ExplicitStepper, AStepFromFarAwayIntoContactIsNoPassage) {
     Shell shell = test::stacked_plates(1, 4, 0, test::rubber);
     shell.position.row(2).array() += 12e-3;
@@ -377,8 +377,8 @@ TEST(ExplicitStepper, AStepFromFarAwayIntoContactIsNoPassage) {
     EXPECT_GT(shell.velocity.row(2).mean(), 0.5);
 }
 
-// In one step the tray moves by more than the plate's thickness: this is no passage. It stands turned from
-// the start, where friction has no velocity yet.
+// In one step the tray moves by more than the plate's thickness, which is no passage. It is turned from the
+// start, when friction has no velocity yet.
 TEST(ExplicitStepper, ATrayThatMovesFastLiftsAPlate) {
     Shell shell = test::stacked_plates(1, 4, 0, test::rubber);
     Obstacle tray = test::solid_box({0, 0, -0.02}, {0.08, 0.08, 0.02}, 1e9, 0.5);

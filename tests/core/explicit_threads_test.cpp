@@ -32,7 +32,7 @@ auto thrown_plate(int threads) {
                       stepper.balance().lost_to_scheme, stepper.balance().unexplained);
 }
 
-// A run must not depend on how many cores the machine has.
+// A run must not depend on the number of cores.
 TEST(ExplicitThreads, AnyNumberOfThemGivesTheSameBits) {
     const auto alone = thrown_plate(1);
     EXPECT_TRUE(thrown_plate(2) == alone);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// If one of these fails, stress and curvature are recorded with a wrong sign, on the wrong surface or in the
-// wrong direction.
+// Otherwise stress and curvature are recorded with a wrong sign, on the wrong surface or in the wrong
+// direction.
 #include "core/shell/face_fields.h"
 
 #include <gtest/gtest.h>
@@ -18,8 +18,8 @@ constexpr double field_thickness = 0.01, field_young = 2e9, field_poisson = 0.3;
 const Material field_material{1000, field_thickness, field_young, field_poisson};
 constexpr int field_rows = 7, field_columns = 9;  // vertices
 
-/// A flat rectangle of 1.6 by 1.2 with unequal triangles, whose normals are z; each face's material is
-/// turned by `angle` (rad) against x.
+/// Flat rectangle of 1.6 by 1.2 with unequal triangles, whose normals are z; each face's material is turned
+/// by `angle` (rad) against x.
 Shell field_sheet(const Material& material, double angle = 0) {
     Positions rest(3, field_columns * field_rows);
     std::vector<std::array<Index, 3>> triangles;
@@ -47,7 +47,7 @@ FaceFields fields_of(const Shell& shell, const Positions& x, BendingModel model)
     return face_fields(shell, energies.face_strains(x), energies.face_curvatures(x), {true, true, true});
 }
 
-/// A face's tensor (00, 11, 01) in x and y.
+/// Tensor of a face (00, 11, 01) in x and y.
 Vector3d in_x_and_y(const Shell& shell, Index face, const Vector3d& tensor) {
     const auto axes = frame_axes(columns(shell.rest, shell.triangles[face].vertices));
     Eigen::Matrix2d local;
@@ -131,7 +131,7 @@ TEST(FaceFields, StressFollowsTheMaterialsAxes) {
         EXPECT_LT((in_x_and_y(shell, f, fields.stress_top.col(f)) - stress).norm(), 1e-9 * stress.norm());
 }
 
-// What a single hinge tells of its faces: its change of angle over the distance of their middles, twice.
+// A single hinge gives its faces twice its change of angle over the distance of their centres.
 TEST(FaceFields, SingleHingeBendsBothFacesAlikeAcrossItsEdge) {
     const Shell shell = test::two_triangles(field_material);
     Positions x = shell.rest;
@@ -152,7 +152,7 @@ TEST(FaceFields, SingleHingesKnowOfClamps) {
                                          .mirrors = {clamp_hinge(shell, {0, 1}, 1)}});
     const Eigen::Matrix3Xd at_rest = energies.face_curvatures(shell.rest);
     EXPECT_LT(at_rest.norm(), 1e-14);
-    // All of the sheet turns by an angle about the clamped side, from vertex 2 to vertex 0.
+    // The whole sheet turns by an angle about the clamped side, from vertex 2 to vertex 0.
     const Vector3d pivot = shell.rest.col(0), way = (shell.rest.col(0) - shell.rest.col(2)).normalized();
     const Matrix3d turn = Eigen::AngleAxisd(0.02, way).toRotationMatrix();
     const Positions x = (turn * (shell.rest.colwise() - pivot)).colwise() + pivot;
@@ -184,7 +184,7 @@ TEST(PrincipalValues, AreThoseOfTheTensorLargerOneFirst) {
     }
 }
 
-// The colour of a picture and the figure of `sherd info` is the most tensile stress on either side.
+// The colour of a picture and the value in `sherd info` are the most tensile stress on either side.
 TEST(FaceFields, LargestStressIsTheMostTensileOfBothSurfaces) {
     FaceFields fields;
     fields.stress_top.resize(3, 2);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What overwhelms the springs of explicit contact must not pass, and the firmer ones that hold it must keep
-// momentum and energy.
+// A collision that is too strong for the springs of explicit contact must not pass, and the stiffer springs
+// that stop it must keep momentum and energy.
 #include <gtest/gtest.h>
 
 #include "core/time/explicit_stepper.h"
@@ -32,7 +32,7 @@ double advance(ExplicitStepper& stepper, int steps) {
     return shortest / longest;
 }
 
-// At three times the speed of sound in rubber a column of it stores a tenth of the blow.
+// At three times the speed of sound in rubber a column of it stores a tenth of the collision's energy.
 TEST(FirmSprings, PlatesThatOverwhelmSpringsExchangeTheirVelocity) {
     Shell shell = stacked_plates(2, 4, 4e-3, rubber);
     const Index half = static_cast<Index>(shell.mass.size()) / 2;

@@ -23,7 +23,7 @@ Positions force_of(const GivenForces& energy, const Shell& shell) {
     return -gradient;
 }
 
-// A force of another size or sign would push what a program steers somewhere else.
+// A force of wrong size or sign would push a sheet that a program controls in a wrong way.
 TEST(GivenForces, ActAsTheyAreGivenAndWork) {
     const Shell shell = test::two_triangles(test::thick_foam);
     GivenForces energy(shell);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What holds for each of the three hinge energies.
+// Properties of each of the three hinge energies.
 #include <gtest/gtest.h>
 
 #include "core/bending/cubic_hinge.h"
@@ -35,8 +35,8 @@ struct Cubic2007 {
 
 struct Cubic {
     static CubicHinge make(const HingePositions& rest) { return cubic_hinge(rest, stiffness); }
-    /// Eq. 7 and what the equilibrium adds to it: the difference of the two Q, which is a sum of edge
-    /// Laplacians (QuadraticCorrectionIsMadeOfEdgeLengths).
+    /// Eq. 7 and the term that its equilibrium at rest adds: the difference of the two Q, which is a sum of
+    /// edge Laplacians (QuadraticCorrectionIsMadeOfEdgeLengths).
     template <class Scalar>
     static Scalar energy(const HingePositions& rest, const Quad<Scalar>& x) {
         const Eigen::Matrix4d added = make(rest).quadratic - Cubic2007::make(rest).quadratic;
@@ -60,7 +60,7 @@ HingePositions random_fold(Random& random, double largest_angle = 2.6) {
     return test::random_hinge(random, random.uniform(-largest_angle, largest_angle));
 }
 
-// A wrong sign or factor in the forces would show here.
+// With a wrong sign or factor in the forces sheets would bend wrongly.
 TYPED_TEST(HingeEnergy, GradientIsTheDerivativeOfTheValue) {
     Random random(1);
     for (int i = 0; i < 500; ++i) {
@@ -83,7 +83,7 @@ TYPED_TEST(HingeEnergy, HessianIsTheSymmetricDerivativeOfTheGradient) {
     }
 }
 
-// The truth: the paper's formula, differentiated by no one.
+// Reference: automatic differentiation of the paper's formula.
 TYPED_TEST(HingeEnergy, IsThePapersFormulaToTheSecondDerivative) {
     Random random(3);
     for (int i = 0; i < 500; ++i) {

@@ -9,7 +9,7 @@
 namespace sherd {
 namespace {
 
-/// Positions, velocities, the balance and the work of minimising of three plates that fall onto each other
+/// Positions, velocities, the balance and the number of iterations of three plates that fall onto each other
 /// and onto a box.
 auto falling_plates(Method method, BendingModel bending, int threads) {
     Shell shell = test::stacked_plates(3, 12, 1.001 * test::glass.thickness, test::glass);
@@ -37,7 +37,7 @@ auto falling_plates(Method method, BendingModel bending, int threads) {
     return std::tuple(shell.position, shell.velocity, stepper.balance().lost_to_scheme, iterations);
 }
 
-// A run must not depend on how many cores the machine has.
+// A run must not depend on the number of cores.
 TEST(ImplicitThreads, AnyNumberOfThemGivesTheSameBits) {
     for (const auto& [method, bending] : {std::pair(Method::quasi_newton, BendingModel::coupled),
                                           std::pair(Method::newton, BendingModel::nonlinear)}) {

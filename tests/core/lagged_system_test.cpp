@@ -12,7 +12,7 @@
 namespace sherd {
 namespace {
 
-/// Two plates above each other, and a place where the middle of the upper one touches the lower one.
+/// Two plates above each other, and positions where the middle of the upper one touches the lower one.
 struct ContactInTheMiddle {
     Shell shell = test::stacked_plates(2, 10, 3 * test::rubber.thickness, test::rubber);
     Inertia inertia{shell, Vector3d::Zero()};
@@ -22,7 +22,7 @@ struct ContactInTheMiddle {
     Positions apart = shell.position, touching = shell.position;
     Index middle = 3 * static_cast<Index>(shell.position.cols()) / 4;
 
-    /// step: s; inertia of a short one keeps the Hessian positive definite.
+    /// step: s; with a short one, inertia keeps the Hessian positive definite.
     explicit ContactInTheMiddle(double step) {
         potential.begin(test::step_of(shell, 0, step));
         touching(2, middle) -= 2.1 * test::rubber.thickness;
@@ -34,7 +34,7 @@ struct ContactInTheMiddle {
     }
 };
 
-// A patch of one place alone would lead to the other one, and back, in each iteration.
+// A patch that fits only one of the two positions would lead to the other one and back, in each iteration.
 TEST(LaggedSystem, FitsBothPlacesOfAContactThatComesAndGoes) {
     const ContactInTheMiddle at(1e-3);
     ASSERT_GT(at.contact.active_pairs(at.touching).size(), 0u);
@@ -45,7 +45,7 @@ TEST(LaggedSystem, FitsBothPlacesOfAContactThatComesAndGoes) {
     for (int round = 0; round < 4; ++round)
         for (const Positions* x : {&at.touching, &at.apart})
             changes += system.fit(at.potential, *x) == LaggedSystem::Fit::patched;
-    EXPECT_GT(changes, 2);  // not at once: a contact that comes or goes once is patched as it is
+    EXPECT_GT(changes, 2);  // not at once: a contact that appears or vanishes once is patched by itself
     EXPECT_LT(changes, 8);
     for (const Positions* x : {&at.touching, &at.apart, &at.touching, &at.apart})
         EXPECT_EQ(system.fit(at.potential, *x), LaggedSystem::Fit::fits);
@@ -68,7 +68,7 @@ TEST(HessianPatch, HasTheMeanOfTwoPlaces) {
     const Positions mean = 0.5 * (at.hessian(at.touching).times(motion) + at.hessian(at.apart).times(motion));
     EXPECT_LT(patch.residual(mean, motion).norm(), 1e-12 * mean.norm());
     const Positions found = patch.solve(mean);
-    EXPECT_LT((found - motion).norm(), 1e-4 * motion.norm());  // in single precision
+    EXPECT_LT((found - motion).norm(), 1e-4 * motion.norm());  // single precision
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 namespace sherd {
 namespace {
 
-/// Triangles that are not needles, and a vertex in front of them, behind, above or beside.
+/// Random triangles that are not needles, each with a vertex in front of it, behind, above or beside.
 std::vector<PairPositions> lips() {
     test::Random random(11);
     std::vector<PairPositions> shapes;
@@ -25,8 +25,8 @@ std::vector<PairPositions> lips() {
     return shapes;
 }
 
-// A vertex at a known place before a lip that lies in the plane: a sign the wrong way round would pull lips
-// together.
+// A vertex at a known place before a crack face (lip) in its plane: with a wrong sign crack faces would be
+// pulled together.
 TEST(Lip, OpeningIsTheDistanceInFrontOfTheLipInItsPlane) {
     PairPositions x;
     x << 0.3, 0, 1, 0.4,  //
@@ -53,8 +53,8 @@ TEST(Lip, GradientAndHessianAreDerivativesWithoutForceAndTorque) {
     }
 }
 
-// The sum over stencils, and that open lips do not stick; what the solver falls back to must not be
-// indefinite.
+// Overlapping crack faces must push and open ones not stick; the convex Hessian, which the solver uses if
+// need be, must not be indefinite.
 TEST(Lip, OverlapPushesAndOpenLipsAreFree) {
     const std::vector<LipStencil> stencils{{{0, 1, 2, 3}, 5e3}};
     const LipContact contact(stencils);
@@ -63,7 +63,7 @@ TEST(Lip, OverlapPushesAndOpenLipsAreFree) {
         const Positions positions = x;
         EXPECT_EQ(contact.largest_overlap(positions), std::max(0.0, -opening));
         EXPECT_DOUBLE_EQ(contact.value(positions), opening < 0 ? 0.5 * 5e3 * opening * opening : 0);
-        if (opening > -1e-3) continue;  // differences across the kink
+        if (opening > -1e-3) continue;  // no differences across the kink
         test::expect_derivatives(contact, positions, 1e-6, 1e-7);
         BlockMatrix convex(4, {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}, std::vector<char>(4, 0));
         contact.add_hessian(positions, Curvature::convex, convex);

@@ -33,7 +33,7 @@ Positions crumpled(const Shell& shell, unsigned seed) {
     return x;
 }
 
-/// The energy of loads in a step that ends at `end` (s).
+/// Energy of loads in a step that ends at `end` (s).
 LoadEnergy loaded(const Shell& shell, const std::vector<Load>& loads, double end) {
     return test::begun(LoadEnergy(shell, loads), shell, end - 1, 1);
 }
@@ -44,7 +44,7 @@ Positions forces(const Energy& energy, const Positions& x) {
     return -gradient;
 }
 
-// Newton's method would not converge, or to something else.
+// With wrong derivatives Newton's method would not converge, or to a wrong shape.
 TEST(Loads, GradientAndHessianAreDerivatives) {
     for (const Shell& shell : {test::tetrahedron(test::thick_foam), test::two_triangles(test::thick_foam)}) {
         Load load = pressure_on_all(shell, 30);
@@ -53,7 +53,7 @@ TEST(Loads, GradientAndHessianAreDerivatives) {
     }
 }
 
-// A balloon would fly away by itself.
+// With a net force a balloon would fly away by itself.
 TEST(Loads, PressureInAClosedSheetHasNoNetForceAndFollowsItsNormals) {
     const Shell shell = test::tetrahedron(test::thick_foam);
     const LoadEnergy energy = loaded(shell, {pressure_on_all(shell, 30)}, 0);
@@ -82,7 +82,7 @@ TEST(Loads, PressureOnAnOpenSheetIsExactAtTheBeginningOfTheStep) {
     EXPECT_LT((force.rowwise().sum() - 5 * area).norm(), 1e-12 * force.norm());
 }
 
-// Load a length, an area and a vertex: the totals are what the units say.
+// Loads on a length, an area and a vertex: the totals must agree with their units.
 TEST(Loads, DeadLoadsAddUpToForceTimesExtent) {
     const Shell shell = test::two_triangles(test::thick_foam);
     const auto total = [&](const std::vector<CornerForce>& dead, const std::vector<FaceForce>& spread = {}) {
@@ -104,8 +104,7 @@ TEST(Loads, DeadLoadsAddUpToForceTimesExtent) {
     EXPECT_TRUE(boundary_triangle_edges(shell, std::vector<char>{1, 1, 0, 0}).empty());
 }
 
-// The momentum that a free sheet gains is the ramp's impulse, by the rule that implicit Euler integrates
-// with.
+// The momentum that a free sheet gains is the impulse of the ramp by the quadrature of implicit Euler.
 TEST(Loads, RampGrowsLinearlyAndThenStays) {
     Shell shell = test::two_triangles(test::thick_foam);
     StepperOptions options;

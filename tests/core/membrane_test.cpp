@@ -22,7 +22,7 @@ MembraneTriangle random_triangle(Random& random) {
 
 const Material cloth{1000, 0.01, 3e5, 0.3, 4e4, 2e4};
 
-/// `axis`: its direction in the plane of the triangle.
+/// axis: direction in the plane of the triangle.
 MembraneTriangle cloth_triangle(const TrianglePositions& rest, const Vector3d& axis) {
     return membrane_triangle(rest, membrane_elasticity(cloth, axis_angle(rest, axis)));
 }
@@ -85,7 +85,7 @@ TEST(Membrane, HasNoNetForceOrTorqueOnAnyDeformation) {
     }
 }
 
-// Uniaxial stretch of a strip free to contract: Young's modulus and Poisson's ratio come back.
+// Uniaxial stretch of a strip that is free to contract must give Young's modulus and Poisson's ratio.
 TEST(Membrane, UniaxialStressFollowsYoungAndPoisson) {
     TrianglePositions rest;
     rest << 0, 1, 0, 0, 0, 1, 0, 0, 0;
@@ -99,7 +99,7 @@ TEST(Membrane, UniaxialStressFollowsYoungAndPoisson) {
     EXPECT_NEAR(value(triangle, x), expected, 1e-5 * expected);
 }
 
-// The axis belongs to the sheet, not to the corner that a file happens to name first.
+// The axis belongs to the sheet, whichever corner a file names first.
 TEST(Membrane, OrthotropicEnergyDoesNotDependOnTheOrderOfTheCornersOrThePlace) {
     Random random(6);
     for (int i = 0; i < 100; ++i) {

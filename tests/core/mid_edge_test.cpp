@@ -18,24 +18,24 @@ TrianglePositions triangle_anywhere(test::Random& random) {
     return x.colwise() + random.matrix<Vector3d>(3);
 }
 
-/// The height at p of the quadratic surface of curvature (00, 11, 2 * 01).
+/// Height at p of the quadratic surface of curvature (00, 11, 2 * 01).
 double height(const Vector3d& curvature, const Vector2d& p) {
     return 0.5 * (curvature[0] * p.x() * p.x() + curvature[1] * p.y() * p.y() + curvature[2] * p.x() * p.y());
 }
 
-/// Its slope at p.
+/// Slope at p of this surface.
 Vector2d slope(const Vector3d& curvature, const Vector2d& p) {
     return {curvature[0] * p.x() + 0.5 * curvature[2] * p.y(),
             curvature[1] * p.y() + 0.5 * curvature[2] * p.x()};
 }
 
-// The angle by the formula is that between the facet through three points of a surface and its tangent.
+// The angle by the formula must be that between the facet through three points of a surface and its tangent.
 TEST(MidEdge, TangentAngleIsThatOfAQuadraticSurface) {
     test::Random random(1);
     for (int i = 0; i < 200; ++i) {
         const PlaneTriangle triangle = plane_triangle(triangle_anywhere(random));
         const Vector3d curvature = random.matrix<Vector3d>(1);
-        // The facet is height = g . p + constant.
+        // facet: height = g . p + constant
         Matrix3d points;
         Vector3d heights;
         for (int c = 0; c < 3; ++c) {
@@ -53,7 +53,7 @@ TEST(MidEdge, TangentAngleIsThatOfAQuadraticSurface) {
     }
 }
 
-// What makes constant curvature exact.
+// Constant curvature is exact only if the angles of a curvature give it back.
 TEST(MidEdge, AnglesAtTheSidesGiveTheCurvatureBack) {
     test::Random random(2);
     for (int i = 0; i < 200; ++i) {
@@ -66,14 +66,14 @@ TEST(MidEdge, AnglesAtTheSidesGiveTheCurvatureBack) {
     }
 }
 
-// A frame of the wrong hand, or turned the wrong way, would show in the membrane's and the plate's axes.
+// A frame of the wrong hand, or turned the wrong way, would turn the axes of the membrane and the plate.
 TEST(MidEdge, TriangleIsLaidIntoTheFrameOfItsMembrane) {
     test::Random random(3);
     for (int i = 0; i < 50; ++i) {
         const TrianglePositions rest = triangle_anywhere(random);
         const PlaneTriangle plane = plane_triangle(rest);
         const MembraneTriangle membrane = membrane_triangle(rest, Matrix3d::Identity());
-        // The derivative of the coordinates themselves.
+        // The derivative of the coordinates themselves is the identity.
         EXPECT_LT((plane.corners * membrane.derivatives - Eigen::Matrix2d::Identity()).norm(), 1e-12);
         EXPECT_NEAR(plane.area, membrane.area, 1e-12);
         for (int c = 0; c < 3; ++c)

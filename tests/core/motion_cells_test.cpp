@@ -18,20 +18,20 @@ Positions points(Random& random, Index count, double size) {
     return x;
 }
 
-/// Bound on how far any two of these vertices move relative to each other.
+/// Bound on the relative motion of any two of these vertices.
 double bound(const MotionCells& cells, const std::vector<Box>& boxes, const std::vector<Index>& vertices) {
     Box all;
     for (const Index v : vertices) all.include(boxes[cells.of(v)]);
     return spread(all);
 }
 
-// A bound that is too small hides a contact from all that looks for contacts.
+// With too small a bound contacts would be missed.
 TEST(MotionCells, BoundWhatAnyTwoVerticesMove) {
     Random random(4);
     for (const Index count : {1, 15, 49, 400}) {
         MotionCells cells;
         cells.cover(points(random, count, 1));
-        cells.cover(points(random, count + 30, 1));  // with some that have come since
+        cells.cover(points(random, count + 30, 1));  // some vertices are newer than the cells
         const Positions motions = points(random, count + 30, 0.1);
         const std::vector<Box> boxes = cells.boxes(motions);
         for (int sample = 0; sample < 50; ++sample) {
@@ -46,7 +46,7 @@ TEST(MotionCells, BoundWhatAnyTwoVerticesMove) {
     }
 }
 
-// Of a sheet that moves as a whole no pair need be looked at; nor of what one place of it does elsewhere.
+// No pair need be tested in a sheet that moves as a whole, nor far away from a place that moves by itself.
 TEST(MotionCells, TellApartWhatIsFarFromEachOther) {
     Random random(5);
     const Index count = 10'000;

@@ -32,7 +32,7 @@ TEST(Motion, RestsBeforeTheFirstAndAfterTheLastKey) {
     EXPECT_TRUE(Motion{}.at(3).isApprox(Eigen::Isometry3d::Identity()));
 }
 
-// A turntable that is asked for three turns must make them.
+// A turntable with three turns in the scene must make them.
 TEST(Motion, TurnsAboutThePivotAsOftenAsAsked) {
     const Motion m = motion(false);
     EXPECT_LT((m.at(1.5) * Vector3d(0.5, 0, 0) - Vector3d(1, -0.5, 1)).norm(), 1e-12) << "1.5 pi";
@@ -41,7 +41,7 @@ TEST(Motion, TurnsAboutThePivotAsOftenAsAsked) {
     EXPECT_LT((m.at(3.5) * Vector3d(0.5, 0, 0) - Vector3d(1, -0.5, 4)).norm(), 1e-12) << "5.5 pi";
 }
 
-// A turn that is cut into too few parts goes straight through what it should sweep.
+// A turn that is divided into too few parts cuts through the space that it should sweep.
 TEST(Motion, SaysHowFarItTurnsBetweenTwoTimes) {
     for (const bool smooth : {true, false}) {
         const Motion m = motion(smooth);
@@ -54,7 +54,7 @@ TEST(Motion, SaysHowFarItTurnsBetweenTwoTimes) {
     for (const double turn : {0.0, 0.3, 2.0, 1e9}) {
         const int parts = straight_parts(turn);
         EXPECT_GE(parts, 1);
-        if (turn > 1e3) continue;  // more than it makes parts of
+        if (turn > 1e3) continue;  // more than the largest number of parts
         EXPECT_LT(1 - std::cos(turn / parts / 2), 1.0 / 127);
     }
 }

@@ -16,8 +16,8 @@ namespace {
 
 using test::Random;
 
-/// A definite matrix on a grid of side x side vertices, each with its neighbours' neighbours, one of them
-/// fixed and one guided.
+/// Definite matrix on a grid of side x side vertices, each connected to its two-ring, with one vertex fixed
+/// and one guided.
 BlockMatrix on_grid(Index side, Random& random, double smallest = 40) {
     std::vector<std::pair<Index, Index>> pairs;
     for (Index i = 0; i < side * side; ++i)
@@ -44,7 +44,7 @@ double error_of(const BlockMatrix& matrix, Random& random) {
     return (factor.solve(right) - reference).norm() / reference.norm();
 }
 
-// A row of a front in the wrong place, or a child that is added twice, gives another solution. The larger
+// A row of a front in the wrong place, or a child that is added twice, gives a wrong solution. The larger
 // grids have supernodes of many columns and separators of several levels.
 TEST(Multifrontal, SolvesLikeADenseSolver) {
     Random random(1);
@@ -55,7 +55,7 @@ TEST(Multifrontal, SolvesLikeADenseSolver) {
     }
 }
 
-// What it left behind of the last matrix would show in the next one.
+// Entries left behind by the last matrix would falsify the next solution.
 TEST(Multifrontal, FactorsOneMatrixAfterTheOther) {
     Random random(2);
     const BlockMatrix first = on_grid(12, random), second = on_grid(12, random);
@@ -68,7 +68,7 @@ TEST(Multifrontal, FactorsOneMatrixAfterTheOther) {
     EXPECT_EQ(twice.solve(right), once.solve(right));
 }
 
-/// Several grids that do not touch each other, as loose shards.
+/// Matrix of several grids that do not touch each other, like loose fragments.
 BlockMatrix on_grids(Index side, Index grids, Random& random) {
     std::vector<std::pair<Index, Index>> pairs;
     const Index all = grids * side * side;
@@ -83,8 +83,8 @@ BlockMatrix on_grids(Index side, Index grids, Random& random) {
     return matrix;
 }
 
-// A subtree that takes what is another's, or sums whose order depends on who is first, give other bits or
-// another solution. The single grid has supernodes above all parts that are wider than a strip.
+// A subtree that takes entries of another one, or sums whose order depends on the threads' timing, would give
+// other bits or a wrong solution. The single grid has supernodes above all parts that are wider than a strip.
 TEST(Multifrontal, HasTheSameBitsWithAnyNumberOfThreads) {
     Random random(6);
     for (const auto& [side, grids] : {std::pair(70, 1), std::pair(20, 12), std::pair(3, 900)}) {
@@ -103,8 +103,8 @@ TEST(Multifrontal, HasTheSameBitsWithAnyNumberOfThreads) {
     }
 }
 
-// Whether double precision is worth trying follows from it: a wrong one costs a factorization each time, or
-// the exact Hessian.
+// The failed pivot decides whether double precision is tried: a wrong value costs a factorization each time,
+// or the exact Hessian.
 TEST(Multifrontal, TellsHowFarFromDefiniteAMatrixIs) {
     Random random(8);
     const double none = std::numeric_limits<double>::quiet_NaN();
@@ -114,14 +114,14 @@ TEST(Multifrontal, TellsHowFarFromDefiniteAMatrixIs) {
         MultifrontalFactor<float> factor(std::make_shared<const Supernodes>(supernodes(matrix)));
         EXPECT_TRUE(factor.factorize(matrix));
         EXPECT_EQ(factor.failed_pivot(), 1);
-        matrix.add(450, 450, (diagonal - 40) * Matrix3d::Identity());  // nothing else is left
+        matrix.add(450, 450, (diagonal - 40) * Matrix3d::Identity());  // only `diagonal` is left
         EXPECT_EQ(factor.factorize(matrix), diagonal == 20);
         EXPECT_GE(factor.failed_pivot(), least);
         EXPECT_LE(factor.failed_pivot(), most);
     }
 }
 
-// Each supernode is eliminated once, after its children, and a part has all of them.
+// Each supernode must be eliminated once, after its children, all of which belong to its part.
 TEST(EliminationParts, HaveEachSupernodeOnceWithItsChildren) {
     Random random(7);
     for (const auto& [side, grids] : {std::pair(4, 1), std::pair(50, 1), std::pair(30, 3)}) {
@@ -152,8 +152,8 @@ TEST(Multifrontal, TellsThatAMatrixIsNotDefinite) {
     EXPECT_FALSE(factor.factorize(matrix));
 }
 
-// Bending against stretching in a thin sheet, beyond what single precision tells from zero: it would be
-// taken for indefinite, and steps would creep with the convex matrix.
+// Bending against stretching in a thin sheet, too small for single precision: the matrix would be taken for
+// indefinite, and the solver would converge slowly with the convex one.
 TEST(SinglePrecisionSolver, TakesDoublePrecisionWhereSingleDoesNotDo) {
     BlockMatrix matrix(2, {{0, 1}}, {0, 0});
     const double stiff = 1, soft = 1e-9;
@@ -167,7 +167,7 @@ TEST(SinglePrecisionSolver, TakesDoublePrecisionWhereSingleDoesNotDo) {
     EXPECT_LT((soft * solver->solve(right) - right).norm(), 1e-6);
 }
 
-// The method counts on it when it weighs iterations against a factorization.
+// The minimiser uses the ratio to choose between iterations and a factorization.
 TEST(SinglePrecisionSolver, AFactorizationCostsMoreTheLargerTheMesh) {
     Random random(4);
     double last = 0;
@@ -180,8 +180,8 @@ TEST(SinglePrecisionSolver, AFactorizationCostsMoreTheLargerTheMesh) {
     }
 }
 
-// A vertex that is lost or doubled in the order gives another solution, and one far from its parent a larger
-// factor: here a crack has doubled a row of vertices, with new order beside kept order.
+// A vertex that is lost or doubled in the ordering gives a wrong solution, and a vertex far from its parent a
+// larger factor: here a crack has doubled a row of vertices, which are inserted into the old ordering.
 TEST(SinglePrecisionSolver, KeepsAnOrderWhereACrackDoublesVertices) {
     Random random(5);
     constexpr Index side = 40, row = 20 * side;

@@ -21,8 +21,8 @@ std::vector<std::pair<Index, Index>> blocks_soon(const NearPairs& near, const Po
     return blocks;
 }
 
-/// What a walker answers at x, with two threads, must be what one answers that was never asked before, in
-/// one, and its active pairs those that are found by looking at all that there are.
+/// Asserts that the answers of `walker` at x, with two threads, are those of an unused object with one
+/// thread, and that its active pairs are those of a brute-force search.
 void expect_same(const NearPairs& walker, const Positions& x, const Positions& motion) {
     const NearPairs anew(walker.surface());
     const std::vector<ContactPair>&pairs = walker.active_pairs(x), &expected = anew.active_pairs(x);
@@ -37,8 +37,8 @@ void expect_same(const NearPairs& walker, const Positions& x, const Positions& m
     RC_ASSERT(blocks_soon(walker, x) == blocks_soon(anew, x));
 }
 
-/// All fly together; parts of the vertices from `first` on drift and turn each its own way, by about 10^size
-/// m, and each vertex goes to and fro besides.
+/// Random displacements: all fly together; parts of the vertices from `first` on drift and turn, each with
+/// velocities of its own, by about 10^size m, and each vertex adds noise.
 Positions stride(Random& random, const Positions& x, Index first, double size) {
     const double scale = std::pow(10, size + random.uniform(-1, 0.5));
     const Index parts = 1 + random.below(5), count = static_cast<Index>(x.cols());
@@ -57,7 +57,7 @@ Positions stride(Random& random, const Positions& x, Index first, double size) {
     return motion;
 }
 
-/// Walks about from x, in strides that nothing stops; tries to go elsewhere on the way.
+/// Walks about from x in strides that nothing stops, and tries other motions on the way.
 void walk(const ContactSurface& surface, Positions x, unsigned seed) {
     Random random(seed);
     const NearPairs walker(surface, Threads(2));
@@ -69,8 +69,8 @@ void walk(const ContactSurface& surface, Positions x, unsigned seed) {
     }
 }
 
-// Nothing is computed of pairs that have not moved by the room that they had. A bound that is too bold misses
-// a pair, or a passage, that nothing sees later. Of a sheet with edges shorter than it is thick (2 mm), most
+// Pairs that have not moved by their distance are not computed again. A bound that is too small misses a pair
+// or a passage, which nothing finds later. In a sheet with edges shorter than its thickness (2 mm), most
 // pairs are within its thickness at rest.
 RC_GTEST_PROP(NearPairs, AnswerAsIfNeverAskedBefore, ()) {
     const int count = *rc::gen::element(3, 8);
@@ -90,8 +90,8 @@ RC_GTEST_PROP(NearPairs, AnswerAsIfNeverAskedBeforeOnSolids, ()) {
     walk(surface, x, *rc::gen::inRange(0u, 1u << 30));
 }
 
-// A minimiser that is lost proposes motions of kilometres. To look for all pairs within their reach took 24
-// GB in a flag of 6,400 vertices; and what is in the way must stop the longest of them.
+// A diverging minimiser proposes motions of kilometres. A search for all pairs within their reach took 24 GB
+// in a flag of 6,400 vertices; and obstructions must stop even the longest motions.
 TEST(NearPairs, LongMotionsEndWhereTheyMeetSomething) {
     const double apart = 0.1;
     const Shell shell = test::stacked_plates(2, 8, apart, test::ceramic);
@@ -110,8 +110,9 @@ TEST(NearPairs, LongMotionsEndWhereTheyMeetSomething) {
     EXPECT_GT(freedom(1e9), 1) << "128 widths of 11 mm, each plate its half";
 }
 
-// An obstacle that is far larger than the sheet, with 36,672 edges, took all memory where it moved by five
-// sheets in a step: all pairs within reach of the whole way were kept. What is on the way must still be seen.
+// An obstacle far larger than the sheet, with 36,672 edges, once took all memory where it moved by five
+// sheets in a step: all pairs within reach of the whole path were kept. Pairs on the path must still be
+// found.
 TEST(NearPairs, OnALongWayWhatIsPassedIsNearby) {
     const double apart = 0.1;
     const Shell shell = test::stacked_plates(2, 8, apart, test::ceramic);
@@ -145,8 +146,8 @@ TEST(NearPairs, OnALongWayWhatIsPassedIsNearby) {
     }
 }
 
-// A step in which two plates change places is none, though they are apart at both ends; one in which they
-// slide over each other, or come nearer than their thickness for a moment, is.
+// A step in which two plates change places is a passage, though they are apart at both ends; one in which
+// they slide over each other, or come nearer than their thickness for a moment, is not.
 TEST(NearPairs, WhatChangesPlacesPasses) {
     const double apart = 0.01;
     const Shell shell = test::stacked_plates(2, 8, apart, test::ceramic);

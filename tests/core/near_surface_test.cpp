@@ -9,7 +9,8 @@
 namespace sherd {
 namespace {
 
-// A vertex that is missed meets a surface that it starts across; one too many never meets it.
+// A missed vertex would collide with a surface that it starts across; one too many would never collide with
+// it.
 TEST(NearSurface, FindsWhatLookingAtAllTrianglesFinds) {
     test::Random random(7);
     const Positions points = Positions::Random(3, 40), x = Positions::Random(3, 200);

@@ -17,7 +17,7 @@ namespace {
 constexpr Index along = 30, row = 3;
 constexpr double side = 0.01;  // m, of the squares
 
-/// A strip of rubber along x, held at both ends.
+/// Strip of rubber along x, held at both ends.
 Shell strip() {
     const Material rubber{.density = 1000, .thickness = 1e-3, .young = 5e6, .poisson = 0.3};
     Positions rest(3, (along + 1) * row);
@@ -35,15 +35,15 @@ Shell strip() {
     return shell;
 }
 
-/// Shortened by `strain`, beyond what it bears straight, and bowed by a micrometre.
+/// Shortens the strip by `strain`, beyond its buckling load, and bows it by a micrometre.
 void press(Shell& shell, double strain) {
     shell.position.row(0) *= 1 - strain;
     for (Index v = 0; v < static_cast<Index>(shell.position.cols()); ++v)
         shell.position(2, v) = 1e-6 * std::sin(std::numbers::pi * shell.rest(0, v) / (along * side));
 }
 
-// A sheet that buckles has an indefinite Hessian, and a convex one without all compression is so stiff that
-// Newton's method creeps: thin shells that are crushed could not be solved in 50 iterations (here: 160).
+// A buckling sheet has an indefinite Hessian, and a convex one without all compression is so stiff that
+// Newton's method converges slowly: crushed thin shells could not be solved in 50 iterations (here: 160).
 TEST(Newton, BucklesInFewIterations) {
     Shell shell = strip();
     press(shell, 1e-4);

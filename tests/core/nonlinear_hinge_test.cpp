@@ -13,7 +13,7 @@ namespace {
 
 using test::Random;
 
-// To the last bit: a sheet at rest must not creep.
+// Exactly zero: a sheet at rest must not creep.
 TEST(NonlinearHinge, FeelsNoForceAtRestHoweverCurved) {
     Random random(1);
     for (int i = 0; i < 200; ++i) {
@@ -24,7 +24,7 @@ TEST(NonlinearHinge, FeelsNoForceAtRestHoweverCurved) {
     }
 }
 
-// Newton's method falls back on this matrix where the exact one is indefinite. Near rest they are equal.
+// Newton's method uses this matrix where the exact one is indefinite. At rest they must be equal.
 TEST(NonlinearHinge, ConvexHessianIsPositiveSemidefiniteAndExactAtRest) {
     Random random(2);
     for (int i = 0; i < 200; ++i) {

@@ -31,7 +31,7 @@ void simulate(Shell& shell, StepperOptions options, double step, double seconds)
     advance(time_step, step, seconds);
 }
 
-/// A plane whose distances grow too slowly, as interpolated ones do at the edges of what was sampled.
+/// Plane whose distances grow too slowly, as interpolated ones do at the edges of the sampled range.
 struct SampledShape : Shape {
     SurfaceDistance distance(const Vector3d& point) const override {
         const Vector3d gradient = 0.8 * Vector3d(0.1, 0.2, 1).normalized();
@@ -43,7 +43,7 @@ struct SampledShape : Shape {
     }
 };
 
-// Sticking, sliding, touching and free: forces and their derivatives, friction and motion included.
+// Sticking, sliding, touching and free: forces and their derivatives, with friction and motion.
 TEST(ObstacleContact, ForceAndStiffnessAreDerivativesOfTheValue) {
     Random random(1);
     Motion turning;
@@ -73,7 +73,7 @@ TEST(ObstacleContact, ForceAndStiffnessAreDerivativesOfTheValue) {
     }
 }
 
-// The spring of a resting vertex is the two materials in series over the footprint.
+// The spring of a resting vertex is that of the two materials in series over the footprint.
 TEST(ObstacleContact, RestingWeightSinksInAsTheTwoMaterialsSay) {
     Shell shell = lone_vertex(Vector3d(0, 0, 0.005));
     StepperOptions options;
@@ -84,7 +84,7 @@ TEST(ObstacleContact, RestingWeightSinksInAsTheTwoMaterialsSay) {
     EXPECT_NEAR(0.005 - shell.position(2, 0), 0.1 * 9.81 / stiffness, 1e-9);
 }
 
-// Free fall, contact as half a swing of the spring, and up again; with long steps it would stay down.
+// Free fall, contact as half a vibration of the spring, and up again; with long steps it would stay down.
 TEST(ObstacleContact, BouncesAsTheSpringSays) {
     const double height = 0.01, gravity = 9.81, mass = 0.1, stiffness = 5e4, length = 2e-6;
     Shell shell = lone_vertex(Vector3d(0, 0, 0.005 + height));
@@ -130,7 +130,7 @@ TEST(ObstacleContact, FrictionStopsASlidingVertexAfterTheCoulombDistance) {
     EXPECT_LT(shell.velocity.col(0).norm(), 1e-3);
 }
 
-// On a slope of 30 degrees it slides at g (sin a - mu cos a), whatever holds the slope.
+// On a slope of 30 degrees it slides at g (sin a - mu cos a), whatever shape the slope is made of.
 TEST(ObstacleContact, SlidesDownASlopeAsGalileoSays) {
     const double slope = std::numbers::pi / 6, friction = 0.3, gravity = 9.81, seconds = 0.2;
     Obstacle tilted_box = obstacle(BoxShape(Vector3d(0, 0, -1), Vector3d(3, 1, 1)), 1e7, friction);
@@ -150,12 +150,12 @@ TEST(ObstacleContact, SlidesDownASlopeAsGalileoSays) {
     }
 }
 
-// A tray that starts gently takes along what lies on it; one that starts too fast slips away below.
+// A tray that starts gently takes its load along; one that starts too fast slips away below it.
 TEST(ObstacleContact, FrictionCarriesWhatLiesOnAMovingBox) {
     const double gravity = 9.81, friction = 0.4, seconds = 0.5;
     const auto way_on_tray = [&](double acceleration) {
         Obstacle tray = obstacle(BoxShape(Vector3d(0, 0, -0.1), Vector3d(1, 1, 0.1)), 1e7, friction);
-        // Of 3 s^2 - 2 s^3, the acceleration falls from 6 D / T^2 at its start to nothing at the middle.
+        // On 3 s^2 - 2 s^3, the acceleration falls from 6 D / T^2 at its start to zero in the middle.
         const double way = acceleration * seconds * seconds / 6;
         tray.motion.keys = {{0, Vector3d::Zero(), Vector3d::UnitZ(), 0},
                             {seconds, Vector3d(0, way, 0), Vector3d::UnitZ(), 0}};
@@ -171,7 +171,7 @@ TEST(ObstacleContact, FrictionCarriesWhatLiesOnAMovingBox) {
     EXPECT_NEAR(way_on_tray(10 * friction * gravity), 0.5 * 0.25 / (0.5 * 10.0 / 6), 0.02) << "left behind";
 }
 
-// A soft plate on the top of a ball hangs over it and stays.
+// A soft plate on the top of a ball must hang over it and stay.
 TEST(ObstacleContact, APlateRestsOnTheTopOfASphere) {
     Material material;
     material.density = 1000, material.thickness = 0.002, material.young = 1e6;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What holds an edge that opens. Did it take another energy than that of the crack, cracks would run at
-// another toughness than was given; and did it push, they would make energy.
+// Cohesive forces of an opening edge: if they took an energy other than that of the crack, cracks would
+// propagate at a wrong toughness; if they pushed, the energy would grow.
 #include "core/time/opening_edges.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double force = 4, time = 1.0 / 12, longest = 1;  // N, s
 
-/// Pulls the vertices apart in steps of `way` (m) for at most so many steps. Returns the work that it takes.
+/// Pulls the vertices apart in steps of `way` (m) for at most so many steps. Returns the work, J.
 double pull(OpeningEdges& edges, double way, int steps) {
     double work = 0;
     for (int i = 0; i < steps && !edges.empty(); ++i) {
@@ -35,7 +35,8 @@ TEST(OpeningEdges, TakeTheirEnergyLessWhatWentAtOnce) {
     EXPECT_EQ(edges.held(7), 0);
 }
 
-// The share that is left falls with the root of what is left to take, so that the force ends at a width.
+// The share of the force falls with the square root of the share of energy left, so that the force ends at a
+// finite opening.
 TEST(OpeningEdges, FadeByTheRootOfWhatIsLeft) {
     OpeningEdges edges;
     edges.open({7, 0.2, time}, test::held_together(force), 0);
@@ -74,8 +75,8 @@ TEST(OpeningEdges, EndAfterTheirTimeAndWhereMoreWentAtOnce) {
     EXPECT_TRUE(edges.empty()) << "an edge that rests half open would be glued for ever";
 }
 
-// Of two edges that open in one step beside small faces, the first may give bending energy and the next take
-// it away: what holds the first would stay alone, and throw the vertices.
+// Where two edges open in one step beside small faces, the first may release bending energy and the next take
+// it back: the cohesive force of the first alone would throw the vertices.
 TEST(OpeningEdges, CancelWhatTheNextOpposes) {
     OpeningEdges edges;
     edges.open({7, 0.2, time}, test::held_together(force), -0.2);

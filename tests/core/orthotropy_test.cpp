@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// If one of these fails, a woven or rolled sheet is stiff in the wrong directions, or an isotropic one has
-// directions at all.
+// Otherwise a woven or rolled sheet is stiff in wrong directions, or an isotropic one has directions at all.
 #include "core/material/orthotropy.h"
 
 #include <gtest/gtest.h>
@@ -45,8 +44,8 @@ TEST(Orthotropy, HingesHaveAThirdOfItUnlessAskedForAllAsInThePaper) {
                      edge_stiffness(elastic_constants(material), material.thickness, 0.4));
 }
 
-// The rigidity of a sheet forced into a cylinder: n^T C n of the plane-stress tensor on the curvature that
-// the edge bends, worked out as a full tensor. It ties the hinge to the membrane's constants.
+// Rigidity of a sheet that is bent to a cylinder: n^T C n of the plane-stress tensor on the curvature across
+// the edge, computed with a full tensor. It ties the hinge to the membrane's constants.
 TEST(Orthotropy, StiffnessIsThatOfTheTensorOnTheCurvatureAcrossTheEdge) {
     Random random(1);
     for (int i = 0; i < 200; ++i) {
@@ -61,8 +60,8 @@ TEST(Orthotropy, StiffnessIsThatOfTheTensorOnTheCurvatureAcrossTheEdge) {
     }
 }
 
-// Eq. 8 gives the stiffness of bending along a direction, that is across an edge; its shear term is counted
-// for k01 and k10 apart, so that it stands with 4 where both are one number.
+// Eq. 8 gives the stiffness of bending along a direction, that is across an edge; its shear term counts k01
+// and k10 apart, and so has the factor 4 where both are one number.
 TEST(Orthotropy, StiffnessFollowsEquationEightWithoutPoissonEffect) {
     const double thickness = 0.012, h = std::pow(thickness, 3) / 12;
     const Orthotropy m{1e10, 8e8, 0, 7e8};
@@ -101,7 +100,7 @@ TEST(Orthotropy, EachBrokenInequalityIsNamedWithItsNumbers) {
     EXPECT_EQ(broken_inequality({4, 1, -1.999, 1}), "");
 }
 
-// Admissible means that every strain costs energy, and that what is refused would not.
+// Every strain of an admissible material costs energy; a refused one would have strains that do not.
 TEST(Orthotropy, AdmissibleConstantsArePositiveDefinite) {
     Random random(2);
     for (int i = 0; i < 200; ++i) {
@@ -114,7 +113,7 @@ TEST(Orthotropy, AdmissibleConstantsArePositiveDefinite) {
     }
 }
 
-// Young's modulus at an angle to the axes, by the compliance formula of every textbook on composites.
+// Young's modulus at an angle to the axes, by the textbook compliance formula of composites.
 TEST(Orthotropy, UniaxialModuliFollowTheComplianceFormula) {
     const double nu01 = wood.young01 / wood.young1;
     for (int degrees = 0; degrees <= 180; degrees += 15) {

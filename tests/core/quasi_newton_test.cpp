@@ -14,7 +14,7 @@
 namespace sherd {
 namespace {
 
-/// Where the sheets are after some steps, and how often a matrix was factored.
+/// Positions after some steps, and the number of factorizations.
 struct Outcome {
     Positions position;
     std::int64_t factorizations = 0;
@@ -27,7 +27,8 @@ Outcome after(int steps, Shell shell, StepperOptions options, Method method) {
     return {shell.position, stepper.time_spent().times(Task::factorization)};
 }
 
-/// The largest distance of a vertex between the two methods, of which the quasi-Newton one factors less.
+/// Largest distance of a vertex between the two methods, of which the quasi-Newton method must factorize less
+/// often.
 double difference(int steps, const Shell& shell, const StepperOptions& options) {
     const Outcome lagged = after(steps, shell, options, Method::quasi_newton);
     const Outcome exact = after(steps, shell, options, Method::newton);
@@ -35,7 +36,7 @@ double difference(int steps, const Shell& shell, const StepperOptions& options) 
     return (lagged.position - exact.position).cwiseAbs().maxCoeff();
 }
 
-/// A plate that spins fast, about an axis in its plane.
+/// Plate that spins fast, about an axis in its plane.
 Shell spinning_plate() {
     Shell shell = test::stacked_plates(1, 8, 0, test::rubber);
     for (Index v = 0; v < static_cast<Index>(shell.position.cols()); ++v)
@@ -43,7 +44,7 @@ Shell spinning_plate() {
     return shell;
 }
 
-// It must find the minimum that Newton's method finds, within the tolerance.
+// The method must find the minimum of Newton's method, within the tolerance.
 TEST(QuasiNewton, EndsWhereNewtonsMethodEnds) {
     StepperOptions options;
     options.step = 1e-3;
@@ -57,7 +58,7 @@ TEST(QuasiNewton, EndsWhereNewtonsMethodEnds) {
     EXPECT_LT(difference(8, falling, options), 8 * 1e-9);
 }
 
-/// A thin sheet that leaves in waves, which fold it in each step anew.
+/// Thin sheet that starts in waves, which fold it in a new way in each step.
 Shell fluttering_sheet() {
     Shell shell = test::stacked_plates(1, 12, 0, test::thin_rubber);
     for (Index v = 0; v < static_cast<Index>(shell.position.cols()); ++v) {
@@ -67,7 +68,7 @@ Shell fluttering_sheet() {
     return shell;
 }
 
-/// Iterations of all steps.
+/// Total number of iterations in all steps.
 int iterations(int steps, Shell shell, StepperOptions options, Method method) {
     options.method = method;
     ImplicitStepper stepper(shell, options);
@@ -82,7 +83,7 @@ int iterations(int steps, Shell shell, StepperOptions options, Method method) {
     return sum;
 }
 
-// Where each step folds a sheet in another way, an old factor leads nowhere; it must be noticed at once.
+// Where each step folds a sheet in a new way, an old factor is useless; the method must drop it at once.
 TEST(QuasiNewton, DropsFactorsThatLeadNowhere) {
     StepperOptions options;
     options.step = 1e-2;
@@ -94,7 +95,7 @@ TEST(QuasiNewton, DropsFactorsThatLeadNowhere) {
               after(8, fluttering_sheet(), options, Method::newton).factorizations);
 }
 
-// Without turning, a factor is useless after a quarter of a turn, and each step would need a new one.
+// Without rotation, a factor is useless after a quarter of a turn, and each step would need a new one.
 TEST(QuasiNewton, KeepsAFactorWhileASheetTurns) {
     StepperOptions options;
     options.step = 1e-3;
@@ -104,7 +105,7 @@ TEST(QuasiNewton, KeepsAFactorWhileASheetTurns) {
     EXPECT_LT(after(steps, spinning_plate(), options, Method::quasi_newton).factorizations, steps / 4);
 }
 
-// Contacts that come and go are patched: each that touches would otherwise cost a factorization.
+// Contacts that appear and vanish are patched: each would otherwise cost a factorization.
 TEST(QuasiNewton, FactorsSeldomWhileContactsComeAndGo) {
     Shell shell = test::stacked_plates(2, 8, 3 * test::rubber.thickness, test::rubber);
     shell.velocity.rightCols(shell.velocity.cols() / 2).row(2).setConstant(-3);
@@ -114,7 +115,7 @@ TEST(QuasiNewton, FactorsSeldomWhileContactsComeAndGo) {
     EXPECT_LT(difference(40, shell, options), 1e-6);
 }
 
-/// Triangles of 8 mm, each tilted its own way, that fall.
+/// Falling triangles of 8 mm, each tilted differently.
 Shell falling_shards() {
     constexpr Index count = 8;
     Positions rest(3, 3 * count);
@@ -136,8 +137,8 @@ Shell falling_shards() {
     return shell;
 }
 
-// Beside a shard's own stiffness that of a contact is small, but it is all that holds the shard: a factor
-// without it would send the shard away by metres.
+// The stiffness of a contact is small beside that of a shard, but it alone holds the shard: a factor without
+// it would send the shard metres away.
 TEST(QuasiNewton, SeesThatContactStopsASmallShard) {
     StepperOptions options;
     options.step = 1e-3;
@@ -171,8 +172,8 @@ struct PressedOnAFloor : Energy {
     double spring = 0.01, barrier = 1e-9;
 };
 
-// Nearer to a floor than its force allows, each correction doubles the distance: a tenth of the tolerance
-// moves nothing that matters, but the force of contact that is recorded would be a hundred times too large.
+// Nearer to a floor than its force allows, each correction doubles the distance: a tenth of the tolerance is
+// negligible as a displacement, but the recorded contact force would be a hundred times too large.
 TEST(QuasiNewton, MeetsForcesWhereContactIsFarTooStiff) {
     const Shell shell = test::two_triangles(test::rubber);
     PressedOnAFloor pressed(shell.position);
@@ -185,7 +186,7 @@ TEST(QuasiNewton, MeetsForcesWhereContactIsFarTooStiff) {
     EXPECT_LT(potential.gradient(x).cwiseAbs().maxCoeff(), 1e-3 * pressed.spring);
 }
 
-// A part that nothing holds, and NaN, must end with an error and not in a loop.
+// An unsupported part, and NaN, must end with an error and not in a loop.
 TEST(QuasiNewton, SaysThatNothingIsDefinite) {
     Shell shell = test::two_triangles(test::rubber);
     TimeSpent spent;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What edges take while they open in implicit steps. Did they take more than their crack needs, or gave
-// anything, cracks would run at another toughness than was given; were it counted twice, no balance would
-// tell.
+// Energy that edges take while they open in implicit steps: if it were more than their crack needs, or
+// negative, cracks would propagate at a wrong toughness; if it were counted twice, no balance would show it.
 #include "core/time/released_edges.h"
 
 #include <gtest/gtest.h>
@@ -38,8 +37,8 @@ class ReleasedEdgesTest : public testing::Test {
     ReleasedEdges edges;
 };
 
-// In a step that is longer than the opening nothing holds it any more, and it has taken half of force times
-// way.
+// In a step longer than the opening the cohesive force ends at once, and has taken half of force times
+// distance.
 TEST_F(ReleasedEdgesTest, TakeHalfOfForceTimesWayInALongStep) {
     fail(1, 1e-3);
     EXPECT_EQ(pull(), 0);
@@ -91,7 +90,7 @@ TEST_F(ReleasedEdgesTest, FadeOverShortSteps) {
     EXPECT_EQ(edges.held(7), 0);
 }
 
-// What was taken before another edge failed is not counted anew.
+// Energy taken before another edge failed must not be counted twice.
 TEST_F(ReleasedEdgesTest, GoOnWhereTheShellChangesWithinAStep) {
     fail(1, 0.5 * lasts);
     x = x + test::parted_by(0.01);
@@ -99,14 +98,14 @@ TEST_F(ReleasedEdgesTest, GoOnWhereTheShellChangesWithinAStep) {
     const double first = 0.75 * release_force * 0.01;
     EXPECT_NEAR(edges.taken(), first, 1e-12);
     edges.shell_changes();
-    x(0, 1) += 0.3;  // a vertex is moved along the sheet
+    x(0, 1) += 0.3;  // a vertex moves along the sheet
     edges.shell_changed(x);
     EXPECT_NEAR(edges.taken(), first, 1e-12);
     edges.solved(x + test::parted_by(0.02));
     EXPECT_NEAR(edges.taken(), first + 0.5 * release_force * 0.02, 1e-12) << "at the share of the step";
 }
 
-// A step that is begun again has its edges open, and nothing of what they took.
+// When a step is begun again, its edges are open, and the energy that they took is dropped.
 TEST_F(ReleasedEdgesTest, AStepThatIsBegunAgainForgetsItsEdges) {
     fail(1, 0.25 * lasts);
     edges.solved(x + test::parted_by(0.01));
@@ -116,7 +115,7 @@ TEST_F(ReleasedEdgesTest, AStepThatIsBegunAgainForgetsItsEdges) {
     EXPECT_EQ(pull(), 0);
 }
 
-// Lips that meet again are not drawn together, and an edge that has all that it needs is not held.
+// Crack faces that meet again are not pulled together, and an edge whose energy is complete is not held.
 TEST_F(ReleasedEdgesTest, HoldNothingThatClosesOrHasItsEnergy) {
     for (const double way : {-0.01, 1.0}) {
         fail(0.1, 0.25 * lasts);
@@ -126,7 +125,7 @@ TEST_F(ReleasedEdgesTest, HoldNothingThatClosesOrHasItsEnergy) {
     }
 }
 
-// In statics all fades at once.
+// In statics the cohesive force ends at once.
 TEST_F(ReleasedEdgesTest, FadeAtOnceInStatics) {
     StepContext step = step_at(0, 0.1 * lasts);
     step.inertia = 0;

@@ -17,7 +17,7 @@ Positions shaken(const Positions& x, double amplitude) {
     return moved;
 }
 
-// Force and stiffness of hundreds of pairs of all cases at once, mollified ones too.
+// Force and stiffness of hundreds of pairs of all cases at once, mollified ones, too.
 TEST(SheetContact, ForceAndStiffnessAreDerivativesOfTheValue) {
     const Shell shell = test::stacked_plates(2, 5, 1.8e-3, test::ceramic);
     const SheetContact contact(shell);
@@ -33,7 +33,7 @@ TEST(SheetContact, ForceAndStiffnessAreDerivativesOfTheValue) {
     test::expect_derivatives(contact, x, 1e-10, 2e-6);
 }
 
-// The candidates are found once for a neighbourhood: moving about in it, out of it and back must not change a
+// Candidates are found once for a neighbourhood: moving about in it, out of it and back must not change a
 // bit.
 TEST(SheetContact, DoesNotDependOnWhereItWasAskedBefore) {
     const Shell shell = test::stacked_plates(3, 4, 1.8e-3, test::ceramic);
@@ -56,7 +56,7 @@ TEST(SheetContact, DoesNotDependOnWhereItWasAskedBefore) {
     }
 }
 
-// A sheet whose edges are shorter than it is thick must not push itself apart; folded flat it must.
+// A sheet whose edges are shorter than its thickness must not push itself apart; folded flat it must.
 TEST(SheetContact, RestShapeIsFreeOfForces) {
     Material thick = test::rubber;
     thick.thickness = 0.03;
@@ -73,7 +73,7 @@ TEST(SheetContact, RestShapeIsFreeOfForces) {
     EXPECT_GT(contact.active_pairs(folded).size(), 100u);
 }
 
-/// Area that two squares of side 0.1 m, turned against each other by 0.7, have in common, by counting.
+/// Area common to two squares of side 0.1 m, turned against each other by 0.7 rad, by counting.
 double common_area() {
     int inside = 0;
     for (int i = 0; i < 400; ++i)
@@ -84,9 +84,9 @@ double common_area() {
     return 0.01 * inside / 160000;
 }
 
-// Plates that lie on each other push like one and a half columns (all three ways of touching are in play) on
-// any mesh: edges of 12, 6 and 3 thicknesses. The mesh may matter a little, since a vertex over an edge of
-// the other sheet sees two triangles.
+// Plates that lie on each other push like one and a half columns (through all three kinds of contact) on any
+// mesh: edges of 12, 6 and 3 thicknesses. The mesh may have a small influence, since a vertex over an edge of
+// the other sheet has pairs with two triangles.
 TEST(SheetContact, PressureIsThatOfTheColumnOnAnyMesh) {
     const double press = 0.001 * test::ceramic.thickness,
                  column = test::ceramic.young * common_area() / test::ceramic.thickness;
@@ -100,11 +100,11 @@ TEST(SheetContact, PressureIsThatOfTheColumnOnAnyMesh) {
     }
 }
 
-// Nothing that is held together by twins pushes, and what only borders on them still does.
+// Coincident vertices must not push each other, while elements beside them still collide.
 TEST(SheetContact, TwinsDoNotSeeEachOther) {
     Shell shell = test::stacked_plates(2, 2, 1.8e-3, test::ceramic);
     const std::size_t before = SheetContact(shell).active_pairs(shell.position).size();
-    shell.twins = {{4, 13}};  // the middles
+    shell.twins = {{4, 13}};  // the central vertices
     const auto after = SheetContact(shell).active_pairs(shell.position);
     EXPECT_LT(after.size(), before);
     EXPECT_GT(after.size(), 0u);
@@ -157,7 +157,7 @@ Collision collide(Shell& shell, double speed, double step, int steps) {
     return result;
 }
 
-// The mark to beat: no intersection at any speed, no momentum lost.
+// No intersection at any speed, and no loss of momentum.
 TEST(SheetContact, CollidingPlatesDoNotPassThroughEachOther) {
     struct Case {
         Material material;

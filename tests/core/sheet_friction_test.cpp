@@ -26,7 +26,7 @@ std::vector<std::pair<ContactPair, PairPositions>> touching_pairs() {
     return pairs;
 }
 
-/// Whether the edges show every rotation of the pair: those of needles and of parallel edges do not.
+/// Whether the edges determine every rotation of the pair: those of needles and of parallel edges do not.
 bool shows_rotation(const ContactPair& pair, const PairPositions& x) {
     const bool edges = pair.kind == PairKind::edge_edge;
     const Vector3d u = edges ? x.col(1) - x.col(0) : x.col(2) - x.col(1);
@@ -34,7 +34,7 @@ bool shows_rotation(const ContactPair& pair, const PairPositions& x) {
     return u.cross(v).norm() > 0.03 * u.norm() * v.norm();
 }
 
-// A heap that turns or flies as a whole must not rub; else it would slow down for no reason.
+// A heap that turns or flies as a whole must have no friction; otherwise it would slow down.
 TEST(SheetFriction, RigidMotionDoesNotSlide) {
     test::Random random(2);
     int shown = 0;
@@ -67,7 +67,8 @@ TEST(SheetFriction, ForcesHaveNeitherSumNorTorque) {
     }
 }
 
-// One translating over the other slides by what it moves in the plane of sliding, wherever it touches.
+// An element that translates over the other slides by its displacement in the plane of sliding, wherever it
+// touches.
 TEST(SheetFriction, SlidingCountsInFull) {
     test::Random random(3);
     for (const auto& [pair, x] : touching_pairs()) {
@@ -86,7 +87,7 @@ TEST(SheetFriction, ForceAndStiffnessAreDerivativesOfTheValue) {
     const SheetContact contact(shell);
     SheetFriction friction = test::begun(SheetFriction(shell, contact, 0.5), shell, 0, step);
     test::Random random(5);
-    for (const double way : {0.2, 0.2, 5.0}) {  // sticking, with what is held of it, sliding
+    for (const double way : {0.2, 0.2, 5.0}) {  // stick without and with a force from the step before, slip
         Positions x = shell.position;
         for (double& entry : x.reshaped()) entry += random.uniform(-0.3, 0.3) * smoothing_speed * step;
         x.rightCols(x.cols() / 2).row(0).array() += way * smoothing_speed * step;
@@ -96,7 +97,7 @@ TEST(SheetFriction, ForceAndStiffnessAreDerivativesOfTheValue) {
     }
 }
 
-// What sticks is held by the same force in the next step, however long that is; else it would creep or jump.
+// A sticking contact must keep its force in the next step, however long; otherwise it would creep or jump.
 TEST(SheetFriction, HoldsFromStepToStep) {
     const Shell shell = test::stacked_plates(2, 4, 1.9e-3, board);
     const SheetContact contact(shell);
@@ -117,7 +118,7 @@ TEST(SheetFriction, HoldsFromStepToStep) {
     }
 }
 
-// Coulomb: a plate that slides on a fixed one stops after v^2 / (2 mu g), to 3 % (issue: "Proof").
+// Coulomb: a plate that slides on a fixed one stops after v^2 / (2 mu g), to 3 %.
 TEST(SheetFriction, StopsASlidingPlateAfterTheCoulombDistance) {
     Shell shell = test::stacked_plates(2, 4, 0.99984 * board.thickness, board);
     const Index half = static_cast<Index>(shell.position.cols()) / 2;

@@ -4,7 +4,7 @@
 namespace sherd {
 namespace {
 
-/// Two triangles with data on all their elements, and no two of them the same.
+/// Two triangles with data on all their elements, all of them different.
 Shell marked_sheet() {
     Shell shell = test::two_triangles(Material{});
     const Index vertices = static_cast<Index>(shell.mass.size());
@@ -49,7 +49,7 @@ TEST(ShellChange, ACopyHasAllThatItsParentHas) {
     EXPECT_EQ(shell.face_sheet, (std::vector<Index>{7, 7, 7}));
 }
 
-// A vertex that is born inside an edge has to lie on it, move with it and be held as it is held.
+// A vertex inserted in an edge must lie on it, move with it and be supported like it.
 TEST(ShellChange, AVertexBetweenOthersHasTheirMean) {
     Shell shell = marked_sheet();
     const Positions before = shell.position;
@@ -65,7 +65,7 @@ TEST(ShellChange, AVertexBetweenOthersHasTheirMean) {
     EXPECT_EQ(shell.vertex_sheet[5], 7);
 }
 
-// The heirs of one change may be parents of others in it, as when an edge is split and then opened.
+// Inserted elements may be parents of others in the same change, as when an edge is split and then opened.
 TEST(ShellChange, HeirsCanHaveHeirsOfTheSameChange) {
     Shell shell = marked_sheet();
     follow(shell,
@@ -76,14 +76,14 @@ TEST(ShellChange, HeirsCanHaveHeirsOfTheSameChange) {
     EXPECT_EQ(shell.edge_toughness[5], 0) << "by its strength, which is infinite";
 }
 
-// What presses on a face, or blows on it, must go on doing so on all of its parts.
+// Pressure and wind on a face must act on all of its parts.
 TEST(ShellChange, ListsOfFacesGetTheFacesThatAreBornOfTheirs) {
     std::vector<Index> faces{1, 4};
     follow_faces({.faces = {{7, {{4, 1}}}, {8, {{2, 1}}}, {9, {{7, 1}}}, {10, {}}}}, faces);
     EXPECT_EQ(faces, (std::vector<Index>{1, 4, 7, 9}));
 }
 
-// Energies keep a list for each hinge: it must lose what the shell loses, in the same places.
+// Energies keep a list for each hinge, from which the shell's removed hinges must vanish in the same places.
 TEST(ShellChange, ListsOfHingesFollowTheHingesThatAreRemoved) {
     Shell shell = test::tetrahedron(Material{});
     const auto count = static_cast<Index>(shell.hinges.size());

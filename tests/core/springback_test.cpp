@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A strip that was bent far beyond yield and is let go: it must keep what metal keeps, and account for it.
+// A strip that was bent far beyond yield and is released: it must keep the curvature that metal keeps, and
+// the balance include the energy.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +17,7 @@ using namespace test::yielding;
 const Material steel{
     .density = 7850, .thickness = thickness, .young = young, .poisson = poisson, .yield = yield};
 
-/// A strip along x of 30 by 3 squares, bent to this curvature.
+/// Strip along x of 30 by 3 squares, bent to this curvature.
 Shell bent_strip(double curvature) {
     constexpr int columns = 30, rows = 3;
     Positions rest(3, (columns + 1) * (rows + 1));
@@ -37,7 +38,7 @@ Shell bent_strip(double curvature) {
     return shell;
 }
 
-/// Of the circle through the middle and the quarters of the strip's middle line, 1/m.
+/// Curvature of the circle through the middle and the quarters of the strip's middle line, 1/m.
 double curvature(const Shell& shell) {
     const auto at = [&](int column) {
         return Vector3d((shell.position.col(4 * column + 1) + shell.position.col(4 * column + 2)) / 2);
@@ -46,7 +47,7 @@ double curvature(const Shell& shell) {
     return 2 * a.cross(b).norm() / (a.norm() * b.norm() * (a - b).norm());
 }
 
-/// Lets it go and makes so many steps, s.
+/// Releases the strip and makes `count` steps of `step` s.
 std::unique_ptr<Stepper> released(Shell& shell, double step, int count) {
     StepperOptions options;
     options.step = step;
@@ -56,18 +57,18 @@ std::unique_ptr<Stepper> released(Shell& shell, double step, int count) {
     std::unique_ptr<Stepper> stepper = make_stepper(shell, options);
     for (int i = 0; i < count; ++i) {
         EXPECT_TRUE(stepper->begin());
-        EXPECT_TRUE(stepper->solve(1000).converged);  // how many it takes of so long a step is chaotic
+        EXPECT_TRUE(stepper->solve(1000).converged);  // the number of iterations in so long a step is chaotic
         stepper->finish();
     }
     return stepper;
 }
 
-// In steps far longer than it vibrates, so that no wave of curvature bends it further.
+// Steps far longer than a vibration, so that no wave of curvature bends the strip further.
 TEST(Springback, AStripOfSteelKeepsWhatLayersDo) {
     for (const double ratio : {2.0, 4.0}) {
         Shell shell = bent_strip(ratio * first);
         released(shell, 0.1, 20);
-        Layers layers;  // bent as it was, and free in both directions then
+        Layers layers;  // bent alike, and then free in both directions
         const Vector3d bent(ratio * first, 0, 0);
         EXPECT_NEAR(curvature(shell), Layers::kept(bent, layers.bend(bent))[0], 0.03 * first) << ratio;
     }
@@ -79,7 +80,7 @@ TEST(Springback, WithinYieldAStripSpringsBackWholly) {
     EXPECT_LT(curvature(shell), 1e-3 * first);
 }
 
-// Where it is let go a wave of curvature runs in from its ends, which bends it further than it was.
+// When the strip is released, a wave of curvature runs in from its ends and bends it further.
 TEST(Springback, WhatYieldingTakesIsInTheBalance) {
     Shell shell = bent_strip(4 * first);
     const auto stepper = released(shell, 1e-4, 50);

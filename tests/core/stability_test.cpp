@@ -10,7 +10,7 @@
 namespace sherd {
 namespace {
 
-/// A folded hinge of unit edges as a sheet.
+/// Sheet of one folded hinge with unit edges.
 Shell fold(double thickness) {
     const Material material{1000, thickness, 1e9, 0.3};
     Shell shell;
@@ -24,7 +24,7 @@ Shell fold(double thickness) {
     return shell;
 }
 
-// A scene that would blow up by itself must be told before it runs.
+// The user must be warned of a scene that is unstable at rest.
 TEST(Stability, HoldsForThinSheetsOnly) {
     EXPECT_TRUE(stable_at_rest(fold(0.01)));
     EXPECT_TRUE(stable_at_rest(fold(0.3)));
@@ -36,7 +36,7 @@ TEST(Stability, OfTheNonlinearHingeHoldsAlways) {
     EXPECT_TRUE(stable_at_rest(fold(30), BendingModel::nonlinear));
 }
 
-/// The smallest eigenvalue of the stiffness at rest, N/m, with the inertia of a tenth of a second.
+/// Smallest eigenvalue of the stiffness at rest, N/m, with the inertia of a step of 0.1 s.
 double smallest_stiffness(const Shell& shell) {
     Eigen::MatrixXd stiffness =
         test::hessian_of(*bending_energy(shell, {BendingModel::cubic, BendingJacobian::cubic}), shell.rest,
@@ -47,7 +47,7 @@ double smallest_stiffness(const Shell& shell) {
     return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(stiffness, Eigen::EigenvaluesOnly).eigenvalues()[0];
 }
 
-// Most sheets are told stable hinge by hinge, without the matrix of the whole, and only those that are.
+// Most sheets are proved stable hinge by hinge, without the matrix of the whole; no unstable sheet may be.
 TEST(Stability, OfCubicHingesIsThatOfTheWholeMatrix) {
     int stable = 0, unstable = 0;
     for (double factor = 1; factor < 1e8; factor *= 3) {
@@ -61,7 +61,8 @@ TEST(Stability, OfCubicHingesIsThatOfTheWholeMatrix) {
     EXPECT_GT(unstable, 2);
 }
 
-// With arcs the rest shape is the same, and what a cubic hinge lacks the membrane has to outweigh as before.
+// The rest shape is the same with arcs, and the membrane must outweigh the deficit of a cubic hinge as
+// before.
 TEST(Stability, IsJudgedWithTheMembraneThatIsChosen) {
     Shell shell = test::curved_patch();
     EXPECT_TRUE(stable_at_rest(shell, BendingModel::coupled, MembraneModel::arc));
@@ -70,7 +71,8 @@ TEST(Stability, IsJudgedWithTheMembraneThatIsChosen) {
     EXPECT_FALSE(stable_at_rest(shell, BendingModel::cubic, MembraneModel::arc));
 }
 
-// Its Hessian at rest is indefinite wherever the sheet is curved, and says nothing of where it settles.
+// The Hessian of this form at rest is indefinite wherever the sheet is curved, and does not tell where it
+// settles.
 TEST(Stability, OfTheFormOf2007IsThatOfTheCubicHinge) {
     EXPECT_TRUE(stable_at_rest(fold(0.3), BendingModel::cubic_2007));
     EXPECT_FALSE(stable_at_rest(fold(30), BendingModel::cubic_2007));

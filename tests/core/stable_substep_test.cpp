@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How long explicit substeps are where damping decides. Were they longer, a sheet that is to stop would be
-// flung about; were they countless, a run would seem to hang.
+// Length of explicit substeps where damping limits it. Were they longer, a damped sheet would diverge; were
+// they countless, a run would seem to hang.
 #include "core/time/stable_substep.h"
 
 #include <gtest/gtest.h>
@@ -14,8 +14,8 @@
 namespace sherd {
 namespace {
 
-// Damping by the medium takes the velocity of before: in longer substeps it would take more than there is,
-// and fling the sheet back, ever faster.
+// Damping by the medium uses the velocity before the substep: in longer substeps it would exceed the
+// momentum, and throw the sheet back, ever faster.
 TEST(StableSubstep, StrongDampingByTheMediumStopsASheet) {
     Shell shell = test::stacked_plates(1, 3, 0, test::glass);
     shell.velocity.row(2).setConstant(-3);
@@ -41,7 +41,7 @@ TEST(StableSubstep, IsThatOfTheTheory) {
     EXPECT_NEAR(stable_substep(1e6, {1e3, 0}, 1e-12), 0.8 * 2e-6 / 1e9, 1e-20);
 }
 
-// Substeps that no one can wait for must end with their cause, not with hours of computing.
+// Substeps too short for any run must end with an error that tells the cause, not with hours of computing.
 TEST(StableSubstep, WhatCannotBeCountedIsAnErrorThatSaysHowShortTheyWouldBe) {
     try {
         stable_substep(1e6, {0, 1e15}, 2e-6);

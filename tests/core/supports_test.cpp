@@ -8,7 +8,7 @@
 namespace sherd {
 namespace {
 
-// Newton's method would not converge, or to something else.
+// With wrong derivatives Newton's method would not converge, or to a wrong shape.
 TEST(MirrorHinge, GradientAndHessianAreDerivatives) {
     const Shell shell = test::tetrahedron(test::thick_foam);
     // A plane through vertices 0 and 1 that is oblique to the triangle between them: curved at rest.
@@ -26,7 +26,7 @@ TEST(MirrorHinge, GradientAndHessianAreDerivatives) {
     EXPECT_LT(force.cwiseAbs().maxCoeff(), 1e-12) << "not in equilibrium at rest";
 }
 
-// Half of a sheet behind a symmetry plane must do what the whole sheet does.
+// Half of a sheet at a symmetry plane must move like the whole sheet.
 TEST(SymmetryPlane, HalfASheetMovesLikeTheWhole) {
     // A roof: two wings left and right of the ridge x = 0, folded by gravity and a load.
     Positions whole_rest(3, 4), half_rest(3, 3);
@@ -57,7 +57,7 @@ TEST(SymmetryPlane, HalfASheetMovesLikeTheWhole) {
     EXPECT_GT(std::abs(half.position(2, 2)), 0.01) << "nothing moved: the test proves nothing";
 }
 
-// Pins alone would let a sheet that is held along one side swing like a door.
+// With pins alone a sheet that is held along one side would swing freely about it.
 TEST(Clamp, HoldsTheTangent) {
     for (const bool clamped : {false, true}) {
         Positions rest(3, 3);

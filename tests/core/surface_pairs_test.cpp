@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Edges of bodies must meet edges, with forces that keep momentum and make no energy, and nothing may pass
-// through anything because it is fast.
+// Edges of bodies must meet edges, with forces that keep momentum and do not increase the energy, and nothing
+// may pass through anything at high speed.
 #include "core/contact/bodies/surface_pairs.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ RigidBody fast_ball(const Vector3d& centre, const Vector3d& velocity) {
     return ball;
 }
 
-/// Steps, halved where they cannot be made, until `duration` s are over; false if that does not help.
+/// Advances for `duration` s by steps that are halved where they fail; returns false if that does not help.
 bool run(ImplicitStepper& time_step, double step, double duration) {
     double length = step;
     for (double time = 0; time < duration * (1 - 1e-9);) {
@@ -38,7 +38,8 @@ bool run(ImplicitStepper& time_step, double step, double duration) {
     return true;
 }
 
-// Two edges of a box across two edges of obstacles, far from any corner: by corners alone it falls through.
+// Two edges of a box across two edges of obstacles, far from any corner: with contact at corners alone it
+// falls through.
 TEST(SurfacePairs, EdgesOnEdgesCarryABox) {
     Shell shell = lone_vertex(Vector3d(5, 5, 5));
     StepperOptions options;
@@ -54,7 +55,7 @@ TEST(SurfacePairs, EdgesOnEdgesCarryABox) {
     EXPECT_EQ(time_step.touch().obstacles.size(), 2u);
 }
 
-// The same of free boxes on each other: a cross of two logs on a floor.
+// Edges of free boxes on each other: a cross of two logs on a floor.
 TEST(SurfacePairs, CrossedBoxesRest) {
     Shell shell = lone_vertex(Vector3d(5, 5, 5));
     StepperOptions options;
@@ -69,7 +70,7 @@ TEST(SurfacePairs, CrossedBoxesRest) {
     for (const RigidBody& body : time_step.bodies()) EXPECT_LT(body.velocity.norm(), 1e-3);
 }
 
-// Fast balls pass neither each other nor a thin wall, and keep momentum.
+// Fast balls must pass neither each other nor a thin wall, and must keep momentum.
 TEST(SurfacePairs, FastBallsDoNotPassEachOther) {
     Shell shell = lone_vertex(Vector3d(5, 5, 5));
     shell.velocity.setZero();
@@ -99,8 +100,8 @@ TEST(SurfacePairs, AFastBallDoesNotPassAThinWall) {
     EXPECT_LT(time_step.bodies()[0].centre.x(), 0);
 }
 
-// A small box meets the edge of a long one, with nothing of either's corners near: the place and the speed
-// are such that it would be beyond the other in a hundredth of a step.
+// A small box meets the edge of a long one, with no corner of either nearby: at its place and speed it would
+// be beyond the other in a hundredth of a step.
 TEST(SurfacePairs, AFastBoxDoesNotPassAnEdge) {
     Shell shell = lone_vertex(Vector3d(5, 5, 5));
     StepperOptions options;
@@ -122,7 +123,7 @@ TEST(SurfacePairs, AFastBoxDoesNotPassAnEdge) {
     EXPECT_GT(std::max(std::abs(beside.x()), std::abs(beside.y())), 0.005) << "it is not inside";
 }
 
-// A log on a soft plate, and one across it that comes down: what the plate feels goes through two edges.
+// A log on a soft plate, and one across it that comes down: the force on the plate passes through two edges.
 TEST(SurfacePairs, ForceAndStiffnessAreDerivativesOfTheValue) {
     Material soft;
     soft.density = 1000, soft.thickness = 0.002, soft.young = 1e7;
@@ -130,7 +131,7 @@ TEST(SurfacePairs, ForceAndStiffnessAreDerivativesOfTheValue) {
     shell.velocity.setZero();
     const double size = 0.01, half = size / std::sqrt(2.0);
     RigidBody lower = solid_body(Vector3d(0.06, size, size), Vector3d(0, 0, 0.00047 + half));
-    const Eigen::AngleAxisd askew(0.3, Vector3d::UnitZ());  // to edges of the plate
+    const Eigen::AngleAxisd askew(0.3, Vector3d::UnitZ());  // against edges of the plate
     lower.rotation = askew * turn_about(Vector3d::UnitX());
     RigidBody upper = solid_body(Vector3d(size, 0.06, size), lower.centre + Vector3d(2e-3, 1e-3, 2 * half));
     upper.rotation = askew * turn_about(Vector3d::UnitY());
@@ -143,7 +144,7 @@ TEST(SurfacePairs, ForceAndStiffnessAreDerivativesOfTheValue) {
         const std::vector<Obstacle> none;
         BodyContact contact(shell, bodies, none, Vector3d::Zero());
         contact.begin(test::step_of(shell, 0, 1e-3, bodies));
-        contact.finish(shell.position);  // they meet, and rub from the next step on
+        contact.finish(shell.position);  // contact begins; friction acts from the next step on
         EXPECT_GT(contact.bodies()[0].velocity.norm(), 1e-4) << "it was pushed";
         shell.position.colwise() += contact.bodies()[0].centre - lower.centre;
         std::vector<RigidBody> pressed = contact.bodies();
@@ -157,7 +158,7 @@ TEST(SurfacePairs, ForceAndStiffnessAreDerivativesOfTheValue) {
         Random random(2);
         Positions x = shell.position;
         for (double& entry : x.reshaped()) entry += 1e-6 * random.uniform(-1, 1);
-        expect_derivatives(contact, x, 1e-9, 5e-2);  // the Hessian is that of Gauss and Newton
+        expect_derivatives(contact, x, 1e-9, 5e-2);  // the Hessian is a Gauss-Newton one
         Positions gradient = Positions::Zero(3, x.cols());
         contact.add_gradient(x, gradient);
         for (int i = 0; i < 10; ++i) {
@@ -179,13 +180,13 @@ INSTANTIATE_TEST_SUITE_P(SurfacePairs, MeetingEdges,
                                          Meeting{Scheme::implicit_euler, 0.3}, Meeting{Scheme::bdf2, 0},
                                          Meeting{Scheme::bdf2, 0.3}));
 
-// Two boxes that meet in flight, edge to edge: what one loses the other gains, and no energy is made.
+// Two boxes that meet in flight, edge to edge, must exchange momentum, and their energy must not grow.
 TEST_P(MeetingEdges, KeepsMomentumAndMakesNoEnergy) {
     Shell shell = lone_vertex(Vector3d(5, 5, 5));
     shell.velocity.setZero();
     StepperOptions options;
     options.scheme = GetParam().scheme;
-    options.step = 2e-6;  // the blow takes some of them, or friction would not be in it
+    options.step = 2e-6;  // the collision lasts several steps, so that friction acts in it
     options.gravity.setZero();
     options.tolerance = 1e-13;
     RigidBody one = solid_body(Vector3d(0.1, 0.02, 0.02), Vector3d(0, 0, 0));
@@ -198,7 +199,7 @@ TEST_P(MeetingEdges, KeepsMomentumAndMakesNoEnergy) {
     const Vector6d before = momenta(options.contact.bodies);
     const double energy = kinetic(options.contact.bodies);
     ImplicitStepper time_step(shell, options);
-    Vector3d lost = Vector3d::Zero();  // by implicit Euler, and by BDF2 at most
+    Vector3d lost = Vector3d::Zero();  // lost to implicit Euler; an upper bound for BDF2
     for (int i = 0; i < 500; ++i) {
         const std::vector<RigidBody> start = time_step.bodies();
         advance(time_step);
@@ -216,8 +217,8 @@ TEST_P(MeetingEdges, KeepsMomentumAndMakesNoEnergy) {
     EXPECT_EQ(time_step.balance().lost_to_friction > 0, GetParam().friction > 0);
 }
 
-// A box that falls on an edge with one of its own, beside its middle, tips over and falls off. Energy only
-// goes.
+// A box that falls with an edge on an edge, beside its middle, tips over and falls off. Energy may only
+// decrease.
 TEST(SurfacePairs, ABoxRollsOffAnEdge) {
     for (const double friction : {0.0, 0.4}) {
         Shell shell = lone_vertex(Vector3d(5, 5, 5));
@@ -249,13 +250,13 @@ TEST(SurfacePairs, ABoxRollsOffAnEdge) {
     }
 }
 
-// Boxes whose edges cross at the start, no corner in the other one, or press each other, go their way until
-// they are apart. Then they meet. A barrier would hold them in each other, or throw them apart.
+// Boxes whose edges cross at the start, without a corner in the other one, or overlap, must move freely until
+// they are apart, and collide from then on. A barrier would hold them in each other, or throw them apart.
 TEST(SurfacePairs, WhatCrossesAtTheStartMeetsOnceItIsApart) {
     for (const double depth : {0.005, 1.5e-4}) {
         Shell shell = lone_vertex(Vector3d(5, 5, 5));
         StepperOptions options;
-        options.step = 2e-5;  // in a long one it would be out of reach of what throws it
+        options.step = 2e-5;  // short, so that a force that throws the box apart would reach it
         options.gravity.setZero();
         RigidBody up = solid_body(Vector3d(0.02, 0.1, 0.02), Vector3d(0.003, 0.002, 0.02 - depth));
         up.velocity = Vector3d(0, 0, 1);
@@ -273,7 +274,7 @@ TEST(SurfacePairs, WhatCrossesAtTheStartMeetsOnceItIsApart) {
     }
 }
 
-// An obstacle that comes up under boxes takes them along: else no step could be begun.
+// An obstacle that comes up under boxes must take them along: otherwise no step could begin.
 TEST(SurfacePairs, AMovingObstacleLiftsAStack) {
     Shell shell = lone_vertex(Vector3d(5, 5, 5));
     StepperOptions options;

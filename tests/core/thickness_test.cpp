@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// If one of these fails, a sheet of uneven thickness is stiff or touches elsewhere than it is thick, or one
-// of even thickness no longer gives the bits that it gave.
+// Otherwise a sheet of uneven thickness has wrong stiffness or contact at a place, or one of even thickness
+// no longer gives the same bits.
 #include "core/shell/thickness.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@
 namespace sherd {
 namespace {
 
-/// Plates of 0.1 m of which each vertex is as thick as `thickness` of its place at rest.
+/// Plates of 0.1 m; the thickness of each vertex is `thickness` of its place at rest.
 template <class Thickness>
 Shell uneven_plates(int plates, int count, const Thickness& thickness) {
     Shell shell = test::stacked_plates(plates, count, 0, test::ceramic);
@@ -50,7 +50,7 @@ TEST(Thickness, OfAnEvenSheetIsThatOfTheFirstVertexWhateverRoundOffMadeOfTheOthe
     EXPECT_EQ(mean_thickness(shell, std::array<Index, 3>{1, 2, 3}), 3);
 }
 
-// A vertex that a crack moves within the sheet is as thick as the sheet is at its new place.
+// A vertex that a crack moves within the sheet must take the sheet's thickness at its new place.
 TEST(Thickness, FollowsVerticesThatMoveInAnUnevenSheetOnly) {
     const ShellChange change{.vertices = {{4, {{0, 0.5}, {2, 0.5}}}}, .moved = {{0, {{0, 0.25}, {1, 0.75}}}}};
     for (const bool uneven : {false, true}) {
@@ -64,7 +64,8 @@ TEST(Thickness, FollowsVerticesThatMoveInAnUnevenSheetOnly) {
     }
 }
 
-// The stress at a surface is that of the local thickness: with another one a plate breaks elsewhere.
+// The stress at a surface must follow from the local thickness: with another one a plate would fracture
+// elsewhere.
 TEST(Thickness, StressAtASurfaceIsOfTheLocalThickness) {
     Shell shell = test::two_triangles(test::ceramic);
     shell.uneven = true;
@@ -92,17 +93,17 @@ TEST(Thickness, ASheetTouchesAnObstacleAtHalfOfWhatItIsThere) {
     }
 }
 
-// Two sheets touch where the halves of both meet, and so do a thin and a thick place of them.
+// Two sheets touch where their half thicknesses meet, at thin and at thick places.
 TEST(Thickness, SheetsTouchAtHalfTheSumOfWhatTheyAreThere) {
     Shell shell = uneven_plates(2, 12, taper);
     const auto upper = static_cast<Index>(shell.rest.cols()) / 2;
     const auto stacked = [&](double gap) {
-        Positions x = shell.rest;  // the middle surfaces, with half the lower sheet's thickness to the floor
+        Positions x = shell.rest;  // middle surfaces: the lower sheet's top at z = 0
         for (Index v = 0; v < static_cast<Index>(x.cols()); ++v)
             x(2, v) = v < upper ? -0.5 * taper(x.col(v)) : 0.5 * shell.thickness[v] + gap;
         return x;
     };
-    const double within_an_element = 0.02 * 0.1 / 12;  // what the thickness differs by
+    const double within_an_element = 0.02 * 0.1 / 12;  // the difference of thickness
     const SheetContact contact(shell);
     EXPECT_TRUE(contact.active_pairs(stacked(within_an_element)).empty());
     const std::vector<ContactPair> active = contact.active_pairs(stacked(-2 * within_an_element));

@@ -51,7 +51,7 @@ void let_plates_fall(bool sheet_contact, TimeSpent& result, double& wall) {
     result = time_step.time_spent();
 }
 
-// The search for pairs, which happens inside of something else, would be counted twice, or not at all.
+// The search for pairs happens inside other tasks: it must be counted neither twice nor not at all.
 TEST(TimeSpent, EachMomentCountsForTheInnermostTask) {
     const Clock::time_point start = Clock::now();
     TimeSpent spent;
@@ -74,7 +74,7 @@ TEST(TimeSpent, EachMomentCountsForTheInnermostTask) {
     EXPECT_EQ(spent.times(Task::factorization), 0);
 }
 
-// The table at the end of a run would show more than there was, or leave out what costs most.
+// Otherwise the table at the end of a run would show too much time, or leave out the largest cost.
 TEST(TimeSpent, PartsOfAStepAreNoMoreThanTheWhole) {
     TimeSpent spent;
     double wall = 0;
@@ -86,7 +86,7 @@ TEST(TimeSpent, PartsOfAStepAreNoMoreThanTheWhole) {
     EXPECT_EQ(spent.on(Task::breaking), 0);
 }
 
-// Contact would be blamed for what others cost.
+// Otherwise contact would be charged for the time of others.
 TEST(TimeSpent, NothingGoesIntoContactWhereThereIsNone) {
     TimeSpent spent;
     double wall = 0;

@@ -10,14 +10,14 @@ namespace {
 
 using Three = Eigen::Matrix<double, 3, 3>;
 
-/// A positive definite Hessian of three vertices, as a diagonal.
+/// Product with a positive definite Hessian of three vertices, which is diagonal.
 Positions hessian_times(const Positions& step) {
     Positions factors(3, 3);
     factors << 1, 2, 3, 4, 5, 6, 7, 8, 9;
     return factors.cwiseProduct(step);
 }
 
-// The secant equation: the inverse Hessian gives back the step that made the last change.
+// Secant equation: the inverse Hessian must return the step that made the last change.
 TEST(UpdateMemory, GivesBackTheLastStep) {
     test::Random random(1);
     UpdateMemory memory(3);
@@ -33,7 +33,7 @@ TEST(UpdateMemory, GivesBackTheLastStep) {
     EXPECT_EQ(memory.apply(change, solve), change);
 }
 
-// A direction must stay one of descent where the potential is not convex.
+// A direction must remain one of descent where the potential is not convex.
 TEST(UpdateMemory, LeavesOutWhatShowsNoConvexity) {
     test::Random random(2);
     UpdateMemory memory(3);

@@ -9,7 +9,7 @@
 namespace sherd {
 namespace {
 
-// A factor that is turned otherwise than the sheet is one of another sheet.
+// A factor that is not turned with the sheet does not fit it.
 TEST(VertexTurns, FollowARigidMotion) {
     test::Random random(1);
     const Shell shell = test::tetrahedron(test::rubber);
@@ -33,7 +33,7 @@ TEST(VertexTurns, AreRotationsWhereTheSheetIsStretchedAndSheared) {
     }
 }
 
-// Their rows of the matrix are those of fixed directions in space.
+// Rows of held vertices belong to fixed directions in space.
 TEST(VertexTurns, LeaveWhatIsHeldAlone) {
     test::Random random(3);
     Shell shell = test::two_triangles(test::rubber);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The force of the air. Each test is a statement of aerodynamics that a flag in the wind relies on.
+// Forces of the air. Each test is a statement of aerodynamics on which a flag in the wind depends.
 #include "core/forces/wind.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ Wind wind_on(const Shell& shell, const Vector3d& velocity) {
     return wind;
 }
 
-/// What the air does to a sheet that keeps its velocity.
+/// Forces of the air on a sheet that keeps its velocity, N.
 Positions forces(const Shell& shell, const Wind& wind, double step = 1e-3) {
     Positions gradient = Positions::Zero(3, shell.position.cols());
     test::begun(WindEnergy(shell, {wind}), shell, 1 - step, step)
@@ -39,7 +39,7 @@ Positions forces(const Shell& shell, const Wind& wind, double step = 1e-3) {
     return -gradient;
 }
 
-/// On a flat sheet in the plane z = 0.
+/// Total force on a flat sheet in the plane z = 0, N.
 Vector3d total_force(const Vector3d& velocity, const Vector3d& air = Vector3d::Zero()) {
     Shell shell = test::two_triangles(card);
     shell.velocity.colwise() = velocity;
@@ -54,7 +54,7 @@ Shell moving_anyhow() {
     return shell;
 }
 
-// Newton's method would not converge, or go uphill.
+// Otherwise Newton's method would not converge, or take steps uphill.
 TEST(Wind, GradientAndHessianAreDerivativesOfAConvexEnergy) {
     const Shell shell = moving_anyhow();
     const WindEnergy energy =
@@ -120,7 +120,7 @@ TEST(Wind, EdgeOnOnlyFrictionIsLeft) {
         << "and broadside drag";
 }
 
-// A sheet that climbs at a small angle is carried: what is normal to the way of the air is lift.
+// A sheet that climbs at a small angle has lift: the force normal to the flow.
 TEST(Wind, LiftsWhatIsAtAnAngleToIt) {
     const double angle = 0.1, pressure = 0.5 * 1.225 * 100 * area_of(test::two_triangles(card));
     const Vector3d direction(std::cos(angle), 0, std::sin(angle));
@@ -133,7 +133,7 @@ TEST(Wind, LiftsWhatIsAtAnAngleToIt) {
     EXPECT_LT((total_force(-10 * direction) - force).norm(), 1e-12);
 }
 
-// Huge coefficients and steps take a sheet to the wind's speed, and never past it.
+// Large coefficients and steps must take a sheet to the wind's speed, and never beyond.
 TEST(Wind, NeverBlowsASheetFasterThanItself) {
     for (const double step : {1e-4, 1e-2, 1.0}) {
         Shell shell = test::tetrahedron(card);

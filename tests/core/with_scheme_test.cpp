@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Steps of one scheme after those of another: what a run has must not be lost between them.
+// Steps of one scheme after those of another: no state of the run may be lost between them.
 #include <gtest/gtest.h>
 
 #include "core/time/stepper.h"
@@ -61,7 +61,7 @@ TEST(WithScheme, GoesOnWhereTheOtherEnded) {
     }
 }
 
-// Time, the ball, damping and the balance have to come along.
+// Time, the ball, damping and the balance must pass to the next stepper.
 TEST(WithScheme, KeepsTheBalanceTheBodiesAndTheTime) {
     Flight flight;
     const double start = flight.energy();
@@ -81,7 +81,7 @@ TEST(WithScheme, KeepsTheBalanceTheBodiesAndTheTime) {
     EXPECT_LT((linear_momentum(flight.shell) - fallen).norm(), 1e-10 * momentum.norm());
 }
 
-// Contact stores another energy by springs than by a barrier: the balance must say where the rest is.
+// Springs store a different contact energy than a barrier: the balance must include the difference.
 TEST(WithScheme, TheBalanceHasWhatContactStoresOtherwise) {
     Shell shell = stacked_plates(2, 5, 0.0021, {1000, 0.002, 1e7, 0.2});
     shell.velocity.row(2).tail(shell.mass.size() / 2).setConstant(-0.5);
@@ -103,8 +103,8 @@ TEST(WithScheme, TheBalanceHasWhatContactStoresOtherwise) {
     }
 }
 
-// Pieces part after the last step of one scheme, and before the first one of another: a stepper that has not
-// begun is told of it, and must not read where free bodies are to go.
+// Pieces separate after the last step of one scheme, and before the first one of another: a stepper that has
+// not begun gets this change, and must not read the uninitialised motion of free bodies.
 TEST(WithScheme, AStepperThatHasNotBegunHearsOfChanges) {
     for (const Scheme scheme : {Scheme::explicit_differences, Scheme::implicit_euler, Scheme::bdf2}) {
         Flight told, untold;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A section that yields: were its moment or what it keeps wrong, metal would keep other dents than it does.
+// With a wrong moment or kept curvature of a yielding section, metal would keep wrong dents.
 #include "core/bending/yielding_section.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ YieldingSection steel() {
     return {rigidity(), yield_moment};
 }
 
-/// The curvature along the second axis at which only the first one bears a moment, by halving.
+/// State at the curvature along the second axis at which only the first one bears a moment, by bisection.
 YieldingSection::State in_one_direction(double curvature, const KeptBend& before) {
     double least = -curvature, most = curvature;
     for (int i = 0; i < 100; ++i) {
@@ -29,8 +29,8 @@ YieldingSection::State in_one_direction(double curvature, const KeptBend& before
     return steel().at({curvature, most, 0}, before);
 }
 
-// A strip that is bent and let go keeps, by Gardiner 1957 and every handbook of forming, all but
-// (3 - (k_y / k)^2) / 2 times k_y of its curvature k.
+// A strip that is bent and released keeps, by Gardiner 1957 and every handbook of forming, all but (3 - (k_y
+// / k)^2) / 2 times k_y of its curvature k.
 TEST(YieldingSection, AStripSpringsBackAsHandbooksSay) {
     for (const double ratio : {0.5, 1.0, 1.01, 1.5, 3.0, 20.0}) {
         const YieldingSection::State bent = in_one_direction(ratio * first, {});
@@ -41,7 +41,8 @@ TEST(YieldingSection, AStripSpringsBackAsHandbooksSay) {
     }
 }
 
-// What is bent in two directions or twisted has no such formula; the layers have.
+// No such formula exists for bending in two directions or twist; layers through the thickness are the
+// reference.
 TEST(YieldingSection, OtherBendsAreNearlyThoseOfLayers) {
     for (const Vector3d& way : {Vector3d(1, 0, 0), Vector3d(1, 1, 0), Vector3d(1, -1, 0), Vector3d(0, 0, 1.5),
                                 Vector3d(1, 0.3, 0.7)}) {
@@ -59,7 +60,7 @@ TEST(YieldingSection, OtherBendsAreNearlyThoseOfLayers) {
     }
 }
 
-// Bent back to where it has no moment it takes nothing more, and bent there again it is elastic.
+// Bent back to zero moment a section takes no more energy, and bent there again it is elastic.
 TEST(YieldingSection, IsElasticWithinWhatItHasBorne) {
     const Vector3d far(3 * first, first, 0.5 * first);
     const KeptBend kept = steel().at(far, {}).kept;
@@ -73,8 +74,8 @@ TEST(YieldingSection, IsElasticWithinWhatItHasBorne) {
     }
 }
 
-// The solver finds a minimum: the moment must be the derivative of what is stored and taken, and the tangent
-// that of the moment, in materials with directions, too.
+// The solver minimises a potential: the moment must be the derivative of the stored and the dissipated
+// energy, and the tangent that of the moment, in orthotropic materials, too.
 TEST(YieldingSection, DerivativesAreThoseOfThePotential) {
     test::Random random(5);
     const Matrix3d grain{{9, 1, 0}, {1, 3, 0}, {0, 0, 2}};

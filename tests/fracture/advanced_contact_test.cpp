@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a crack makes other triangles, pairs that may touch are searched around it alone. A pair that is
-// missed is a sheet that passes through itself; one that is left over pushes with triangles that are gone.
+// Where a crack makes other triangles, candidate pairs are searched around it alone. A missed pair lets a
+// sheet pass through itself; a stale pair pushes removed triangles.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -11,7 +11,7 @@
 namespace sherd {
 namespace {
 
-/// Folded in the middle, so that its halves lie on each other nearer than it is thick.
+/// Positions folded in the middle, so that the halves lie on each other nearer than the thickness.
 Positions folded(const Positions& rest) {
     Positions x = rest;
     for (auto at : x.colwise()) at = Vector3d(std::abs(at[0] - 0.5), at[1], at[0] < 0.5 ? 0 : 0.008);

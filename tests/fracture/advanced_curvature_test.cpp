@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What sums over patches of folds go with a change of triangles as far as anything sees it. If one of these
-// fails, a face bends by folds that are gone or that others have, or a growing crack costs a pass over all of
-// the sheet's patches.
+// Sums over patches of hinges must follow a change of triangles in all faces whose patches change. Otherwise
+// a face bends by hinges that are gone or belong to others, or a growing crack costs a pass over all patches
+// of the sheet.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -12,7 +12,7 @@
 namespace sherd {
 namespace {
 
-/// All that is summed over patches, with a clamp at each side on the rim.
+/// All sums over patches, with a clamp at each side on the rim.
 struct Summed {
     Summed(const Shell& shell, const std::vector<MirrorHinge>& mirrors)
         : folds(shell, mirrors), faces(shell, folds), sides(shell, folds) {}
@@ -22,7 +22,7 @@ struct Summed {
         sides.follow(change);
         return faces.follow(change);
     }
-    /// Those that there are now.
+    /// Mirror hinges at present.
     std::vector<MirrorHinge> mirrors() const {
         std::vector<MirrorHinge> all;
         for (std::size_t i = 0; i < folds.all_mirrors().size(); ++i) all.push_back(folds.all_mirrors()[i]);
@@ -42,8 +42,7 @@ std::vector<MirrorHinge> clamped_rim(const Shell& shell) {
     return mirrors;
 }
 
-/// A sheet of drawn_sheet(), or one that is so rough that a part of its folds, and not always the same, are
-/// creases.
+/// Sheet of drawn_sheet(), or one so rough that some of its hinges, and not always the same, are creases.
 BreakableShell drawn_or_rough(unsigned shape, unsigned seed) {
     if (shape < test::sheet_shapes) return BreakableShell({test::directed_input(shape, seed)});
     SheetInput input = test::directed_input(0, seed);
@@ -97,8 +96,8 @@ void expect_same_sums(const Shell& shell, const Summed& followed) {
     }
 }
 
-// What is there decides, not how it came about, to the last bit: beside clamps that are split, too, where
-// numbers of folds shift, and where a fold becomes a crease or is none any more.
+// Sums must depend on the present shell alone and not on its history, to the last bit: also beside clamps
+// that are split, where hinge numbers shift, and where a hinge becomes a crease or ceases to be one.
 RC_GTEST_PROP(AdvancedCurvature, IsThatOfTheShellAsItIs, ()) {
     const unsigned shape = *rc::gen::inRange(0u, test::sheet_shapes + 4),
                    seed = *rc::gen::inRange(0u, 1u << 30);
@@ -117,7 +116,7 @@ RC_GTEST_PROP(AdvancedCurvature, IsThatOfTheShellAsItIs, ()) {
     expect_same_sums(shell, followed);
 }
 
-// Faces whose terms stay are not among those that follow() says it has made anew, nor are others missing.
+// follow() must return exactly the faces whose terms it computed again.
 TEST(AdvancedCurvature, IsMadeAnewAroundTheChangeAlone) {
     SheetInput input = test::directed_input(0, 3);
     input.mesh = generate_rectangle(1, 0.7, {.edge_length = 0.025, .seed = 3});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// If one of these fails, a sheet whose triangles change with a crack is no longer the sheet that it was: it
-// gains or loses mass or momentum, or bends, stretches or breaks as no sheet of these triangles does.
+// A sheet whose triangles change with a crack must remain the same sheet: otherwise it gains or loses mass or
+// momentum, or bends, stretches or fractures unlike a sheet of these triangles.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -15,7 +15,7 @@
 namespace sherd {
 namespace {
 
-/// All of a shell that a mesh and its masses say, as of one made of this mesh.
+/// All data of a shell that its mesh and masses determine must be those of a shell built from this mesh.
 void expect_made_of_its_mesh(const BreakableShell& sheet) {
     const Shell& shell = sheet.mechanics();
     const Mesh& mesh = sheet.mesh();
@@ -74,7 +74,8 @@ Positions waved(const Positions& rest, double size) {
     return x;
 }
 
-/// Where an edge that has failed was cut, it opens when the next edge fails there.
+/// Fails an edge wherever more than one has failed: there a failed edge that was cut opens when the next one
+/// fails.
 void open_cut_edges(BreakableShell& sheet) {
     for (std::size_t i = 0; i < sheet.mesh().number_of_vertices(); ++i) {
         const Mesh& mesh = sheet.mesh();
@@ -126,13 +127,13 @@ RC_GTEST_PROP(BreakableShellAdvance, ContactAreasAreThoseOfTheMesh, ()) {
     RC_ASSERT((sheet.mechanics().footprint - anew).cwiseAbs().maxCoeff() <= 1e-12 * anew.maxCoeff());
 }
 
-// Each face of the start is somewhere, with all of its mass.
+// Each face of the unfractured mesh must be somewhere, with all of its mass.
 RC_GTEST_PROP(BreakableShellAdvance, KeepsTheMassOfEachFace, ()) {
     const unsigned shape = *rc::gen::inRange(0u, test::sheet_shapes), seed = *rc::gen::inRange(0u, 1u << 30);
     BreakableShell sheet({test::directed_input(shape, seed)});
     test::Advances advances(sheet, seed + 1);
     const std::vector<double> start = sheet.mechanics().face_mass;
-    std::vector<std::map<Index, double>> parts;  // kg of each face of the start
+    std::vector<std::map<Index, double>> parts;  // kg of each face of the unfractured mesh
     for (std::size_t f = 0; f < start.size(); ++f) parts.push_back({{static_cast<Index>(f), start[f]}});
     for (int i = 0; i < 15; ++i) {
         const auto advanced = advances.next();
@@ -158,7 +159,7 @@ RC_GTEST_PROP(BreakableShellAdvance, KeepsTheMassOfEachFace, ()) {
         RC_ASSERT(std::abs(sums[f] - start[f]) <= 1e-12 * start[f]);
 }
 
-/// Mass, first moment and linear momentum of what a change has changed, as they are.
+/// Mass, first moment and linear momentum of the vertices of a change.
 struct PatchMass {
     double mass = 0;
     Vector3d moment = Vector3d::Zero(), linear = Vector3d::Zero();
@@ -170,8 +171,9 @@ struct PatchMass {
     }
 };
 
-// Momentum from nowhere would make pieces fly or spin. Where a sheet is curved or uneven, other triangles
-// have another centre of mass, and the angular momentum about the origin changes by its way; else it stays.
+// With a change of momentum fragments would fly or spin. Where a sheet is curved or uneven, other triangles
+// have another centre of mass, and the angular momentum about the origin changes by its displacement;
+// otherwise it stays.
 RC_GTEST_PROP(BreakableShellAdvance, KeepsMomentumOfAMovingSheet, ()) {
     const unsigned shape = *rc::gen::inRange(0u, test::sheet_shapes), seed = *rc::gen::inRange(0u, 1u << 30);
     const bool is_bent = *rc::gen::arbitrary<bool>();
@@ -205,8 +207,8 @@ RC_GTEST_PROP(BreakableShellAdvance, KeepsMomentumOfAMovingSheet, ()) {
     }
 }
 
-// Momentum that held vertices take, were it put into one or two loose ones beside them, would make these fly
-// off: a window by a ball at 5 m/s got a vertex of 10 km/s.
+// If the momentum of held vertices were given to one or two free ones beside them, these would fly off: a
+// window struck by a ball at 5 m/s got a vertex of 10 km/s.
 RC_GTEST_PROP(BreakableShellAdvance, NothingFliesOffBesideASupport, ()) {
     const unsigned shape = *rc::gen::inRange(0u, test::sheet_shapes), seed = *rc::gen::inRange(0u, 1u << 30);
     BreakableShell sheet({test::directed_input(shape, seed)});
@@ -226,8 +228,8 @@ RC_GTEST_PROP(BreakableShellAdvance, NothingFliesOffBesideASupport, ()) {
     }
 }
 
-// A sheet that flies on keeps its velocity exactly, and nothing is stretched or bent in it. One that turns
-// gets other moments of inertia with other triangles, and so a little other velocities: the momentum stays.
+// A sheet in translation must keep its velocity exactly, without stretching or bending. With other triangles
+// a rotating sheet gets other moments of inertia, and so slightly different velocities: the momentum stays.
 RC_GTEST_PROP(BreakableShellAdvance, ARigidMotionStaysOne, ()) {
     const unsigned shape = *rc::gen::inRange(0u, test::sheet_shapes), seed = *rc::gen::inRange(0u, 1u << 30);
     for (const bool turns : {false, true}) {
@@ -274,8 +276,9 @@ RC_GTEST_PROP(BreakableShellAdvance, ALinearDeformationStoresWhatItDid, ()) {
     RC_ASSERT(std::abs(MembraneEnergy(shell.triangles).value(shell.position) - energy) <= 1e-11 * energy);
 }
 
-// What holds a sheet, or was kept, stays, and the border of what a load lies on goes on: what is beside it
-// stays there. (On a curved sheet areas are shared in a plane, where the border may have a bend.)
+// Supported vertices and those of keep_place() must stay, and the border of a loaded area must remain a line,
+// with its faces on the same side. (On a curved sheet areas are shared in a plane, where the border may have
+// a bend.)
 RC_GTEST_PROP(BreakableShellAdvance, WhatIsKeptStays, ()) {
     const unsigned shape = *rc::gen::inRange(0u, test::sheet_shapes), seed = *rc::gen::inRange(0u, 1u << 30);
     SheetInput input = test::directed_input(shape, seed);
@@ -313,7 +316,7 @@ RC_GTEST_PROP(BreakableShellAdvance, WhatIsKeptStays, ()) {
     for (const Index v : {0, 7}) RC_ASSERT(shell.velocity.col(v).isZero(0));
 }
 
-/// A flat sheet that is held in its plane, and the middle of it in one direction more.
+/// Flat sheet that is held in its plane, and in its middle in one more direction.
 BreakableShell held_sheet(unsigned seed) {
     SheetInput input;
     input.mesh = generate_rectangle(1, 1, {0.08, Layout::delaunay, seed});
@@ -330,8 +333,9 @@ BreakableShell held_sheet(unsigned seed) {
     return sheet;
 }
 
-// A sheet that is held in its plane everywhere, as one that may not buckle is, gives way to a crack's path as
-// a free one does; where it is held otherwise it stays, and what is born is held as what is around it.
+// A sheet that is held in its plane everywhere, as one that may not buckle, must give way to a crack's path
+// like a free one; where it is held otherwise it stays, and inserted vertices are held like those around
+// them.
 TEST(BreakableShellAdvance, WhatIsHeldAllAlikeMovesAlong) {
     for (const unsigned seed : {1u, 2u, 3u}) {
         BreakableShell sheet = held_sheet(seed);
@@ -356,7 +360,7 @@ TEST(BreakableShellAdvance, WhatIsHeldAllAlikeMovesAlong) {
     }
 }
 
-// A crack that runs into the lip of another one, which is still closed, must not leave its end to contact.
+// A crack that runs into a closed face (lip) of another one must not expose its end to contact.
 TEST(BreakableShellAdvance, ACrackThatMeetsAClosedLipHasNoContactThere) {
     SheetInput input;
     input.mesh = test::grid(6, 6);

@@ -22,7 +22,7 @@ SheetInput input(Mesh mesh) {
     return sheet;
 }
 
-/// The stencils that a sheet built afresh on the broken mesh would have.
+/// Stencils must be those of a sheet built from the fractured mesh.
 void expect_stencils_of_the_mesh(const BreakableShell& sheet) {
     const auto faces = test::triangles_of(sheet.mesh());
     for (std::size_t f = 0; f < faces.size(); ++f)

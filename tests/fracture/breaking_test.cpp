@@ -12,7 +12,7 @@
 namespace sherd {
 namespace {
 
-/// A flat strip of hinges that bear what the test says.
+/// Flat strip of hinges with the strength of the test.
 class Breaking : public testing::Test {
   protected:
     Breaking() { set(uniform_strength(0.1)); }
@@ -41,7 +41,7 @@ std::vector<Edge> sorted(std::vector<Edge> edges) {
     return edges;
 }
 
-// A stage breaks the worst hinges only; its neighbours are judged again after the sheet has relaxed. The
+// A stage breaks the worst hinges only; their neighbours are evaluated again after the sheet has relaxed. The
 // paper's rule breaks them all.
 TEST_F(Breaking, PicksTheMostOverloadedWithinTwoRings) {
     strain_at(15, 28) = 0.3;   // worst of the left half
@@ -59,7 +59,7 @@ TEST_F(Breaking, PicksTheMostOverloadedWithinTwoRings) {
     EXPECT_LT(count, sheet->mechanics().hinges.size() / 20);
 }
 
-// A hinge at the tip of a crack fails before an equally strained one elsewhere, but not by the paper's rule.
+// A hinge at a crack tip fails before an equally strained one elsewhere, but not by the paper's rule.
 TEST_F(Breaking, ContinuesACrackBelowTheStrength) {
     sheet->fail(std::array{edge_at(3, 16)});  // from the boundary inwards: open, with its tip at 16
     EXPECT_TRUE(sheet->cracks().is_tip(Vertex(16)));
@@ -72,7 +72,7 @@ TEST_F(Breaking, ContinuesACrackBelowTheStrength) {
     EXPECT_TRUE(overloaded_edges(*sheet, measures).empty());
 }
 
-// Recordings and JSON have no infinity: what has no strength is overloaded by a number.
+// Recordings and JSON have no infinity: without strength the overload must still be finite.
 TEST_F(Breaking, WhatHasNoStrengthIsNotOverloadedInfinitely) {
     set(uniform_strength(0, Measure::strain));
     strain_at(16, 29) = 0.2;
@@ -81,7 +81,7 @@ TEST_F(Breaking, WhatHasNoStrengthIsNotOverloadedInfinitely) {
     EXPECT_EQ(most_overloaded_edges(*sheet, measures), std::vector{edge_at(16, 29)});
 }
 
-// A sheet judged by stress must not break for its strain, nor the other way round.
+// A sheet whose measure is stress must not fracture by its strain, nor the other way round.
 TEST_F(Breaking, JudgesByTheMeasureOfTheSheet) {
     for (const Measure measure : {Measure::strain, Measure::stress, Measure::bending}) {
         set(uniform_strength(0.1, measure));
@@ -106,7 +106,7 @@ TEST_F(Breaking, IsStrongerAlongTheStrongAxis) {
     EXPECT_NEAR(sheet->strength(edge_at(15, 28)), 0.4, 1e-15) << "along y, pulled along the axis";
 }
 
-// Toughness, too, and it has a factor for each edge.
+// Toughness has directions, too, and a factor for each edge.
 TEST_F(Breaking, IsTougherAlongTheStrongAxis) {
     SheetInput flat;
     flat.mesh = test::grid(12, 4);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any edges of any mesh, against the corner rule. tests/CMakeLists.txt says how many cases each property
-// gets.
+// Any edges of any mesh against the corner rule. tests/CMakeLists.txt has the number of cases of each
+// property.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -36,7 +36,7 @@ rc::Gen<CrackCase> crack_case() {
         rc::gen::build<EdgeRecipe>(rc::gen::set(&EdgeRecipe::pattern, inRange(0, pattern_count)),
                                    rc::gen::set(&EdgeRecipe::amount, inRange(0, 101)),
                                    rc::gen::set(&EdgeRecipe::seed, inRange(0u, 1u << 31)));
-    // Of full size from the first case on: rapidcheck would keep every number small at first.
+    // full size from the first case on: rapidcheck would keep every number small at first
     return rc::gen::resize(rc::kNominalSize,
                            rc::gen::build<CrackCase>(rc::gen::set(&CrackCase::mesh, mesh),
                                                      rc::gen::set(&CrackCase::edges, edges)));
@@ -49,7 +49,7 @@ namespace {
 using test::CrackCase;
 using test::Random;
 
-/// What a case is made of, ready to be cracked.
+/// Mesh and edges of a case, ready to fail.
 struct Drawn {
     explicit Drawn(const CrackCase& drawn)
         : mesh(test::random_mesh(drawn.mesh)),
@@ -64,7 +64,7 @@ void expect_agreement(const Mesh& before, const std::vector<Edge>& failed, const
     RC_ASSERT(test::disagreement(before, failed, after) == std::string());
 }
 
-// The random meshes themselves: were they not manifolds, the rule would say nothing about the engine.
+// The random meshes must be manifolds: otherwise the rule would say nothing about CrackMesh.
 RC_GTEST_PROP(CornerRule, RandomMeshesAreManifolds, ()) {
     const Drawn drawn(*test::crack_case());
     RC_ASSERT(test::manifold_fault(drawn.mesh) == std::string());
@@ -91,7 +91,7 @@ RC_GTEST_PROP(CornerRule, HoldsInRandomBatches, ()) {
                      test::cracked_in_batches(drawn.mesh, drawn.failed, drawn.random));
 }
 
-// The rule holds for whatever has failed so far, not only at the end.
+// The rule holds after each failure, not only at the end.
 RC_GTEST_PROP(CornerRule, HoldsAfterEveryEdge, ()) {
     Drawn drawn(*test::crack_case());
     test::shuffle(drawn.failed, drawn.random);
@@ -104,7 +104,7 @@ RC_GTEST_PROP(CornerRule, HoldsAfterEveryEdge, ()) {
     }
 }
 
-// What is reported must be what happened: replaying the splits on the old faces gives the new ones.
+// The reported changes must be complete: replaying the splits on the old faces gives the new ones.
 RC_GTEST_PROP(CornerRule, ChangesAreReportedInFull, ()) {
     const Drawn drawn(*test::crack_case());
     CrackMesh cracks(drawn.mesh);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tips that branch. Were they fed by the swings of an edge that opens, they would branch everywhere; were
-// twins not held together, one of each pair would stop at once, by the chance of the mesh.
+// Tips that branch. If the vibration of an opening edge counted in the mean release, tips would branch
+// everywhere; if near branches did not propagate together, one of each pair would stop at once, by the chance
+// of the mesh.
 #include "fracture/crack_branching.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +17,7 @@ namespace {
 
 constexpr double plate_edge = 0.0016, limit = 1500;  // m, m/s
 
-/// Glass, 100 by 40 mm, that is open from the left to the middle.
+/// Glass plate, 100 by 40 mm, that is open from the left to the middle.
 BreakableShell half_open_plate() {
     Polygon outline;
     for (const auto& [x, y] : {std::pair(0.0, 0.0), {0.1, 0.0}, {0.1, 0.04}, {0.0, 0.04}})
@@ -31,7 +32,7 @@ BreakableShell half_open_plate() {
     return BreakableShell({input});
 }
 
-/// A tip that runs along x at its limit.
+/// Tip that propagates along x at its limit.
 GrowingTip running_tip(const BreakableShell& plate, const Vector3d& place) {
     GrowingTip tip;
     (plate.mechanics().rest.colwise() - place).colwise().squaredNorm().minCoeff(&tip.vertex);
@@ -42,7 +43,8 @@ GrowingTip running_tip(const BreakableShell& plate, const Vector3d& place) {
 
 const Vector3d middle(0.05, 0.02, 0);
 
-// Half the release counts after the time of two edges: a swing within one edge does not make a tip branch.
+// The mean release reaches half of a new value within the time of two edges: a vibration within one edge must
+// not make a tip branch.
 TEST(CrackBranching, ATipIsFedWithinThreeEdges) {
     const BreakableShell plate = half_open_plate();
     GrowingTip tip = running_tip(plate, middle);
@@ -53,8 +55,8 @@ TEST(CrackBranching, ATipIsFedWithinThreeEdges) {
     EXPECT_DOUBLE_EQ(tip.release, 9) << "in long steps it is that of the step";
 }
 
-// Residual stress does not swing: it counts in full beside the mean of what does, within half a thickness of
-// way, on any mesh.
+// Residual stress does not vibrate: it counts in full beside the mean of the other loads, within half a
+// thickness of propagation, on any mesh.
 TEST(CrackBranching, ResidualStressFeedsByTheThickness) {
     const BreakableShell plate = half_open_plate();
     TipLoad load;
@@ -106,7 +108,7 @@ TEST(CrackBranching, GoesToBothSidesAlike) {
     EXPECT_EQ(one.z(), 0);
 }
 
-// Twins go together as long as the mesh cannot tell them apart, and do not branch soon after.
+// Branches propagate together as long as the mesh cannot distinguish them, and must not branch again at once.
 TEST(CrackBranching, TwinsKeepTogetherAndApart) {
     const BreakableShell plate = half_open_plate();
     struct Gap {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cracks by strength and toughness. Were a tip judged by the mesh instead of its load, or did it forget its
-// path, its speed or its neighbours, stars would be holes and straight cracks zigzag.
+// Cracks by strength and toughness. If the mesh instead of its load drove a tip, or a tip lost its path, its
+// speed or its neighbours, stars would become holes, and straight cracks zigzags.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,11 +18,11 @@ namespace {
 
 constexpr double strip_length = 0.12, strip_width = 0.06, strip_edge = 0.004;  // m
 const double usual_limit = usual_speed_limit(test::glass);
-/// m/s, which no tip reaches, so that none branches.
+/// m/s, higher than any tip's speed, so that none branches
 constexpr double no_limit = 6000;
 
-/// A glass strip along x, whose hinges near the middle of one side are weak, so that a crack begins there,
-/// and strong elsewhere.
+/// Glass strip along x, whose hinges near the middle of one side are weak, so that a crack starts there, and
+/// strong elsewhere.
 SheetInput weakened_strip(std::uint32_t seed, double toughness, CrackPath path = CrackPath::cut,
                           double limit = usual_limit) {
     SheetInput input;
@@ -64,7 +64,7 @@ SimulationOptions explicit_steps() {
     return options;
 }
 
-/// The strip, pulled at both ends by this stress (Pa).
+/// Strip pulled at both ends by `stress` (Pa).
 Simulation pulled_strip(std::uint32_t seed, double toughness, double stress, CrackPath path = CrackPath::cut,
                         double limit = usual_limit, SimulationOptions options = explicit_steps()) {
     BreakableShell sheets({weakened_strip(seed, toughness, path, limit)});
@@ -75,7 +75,7 @@ Simulation pulled_strip(std::uint32_t seed, double toughness, double stress, Cra
     return Simulation(std::move(sheets), options);
 }
 
-/// The failed edges of a run, ends at rest, with the time.
+/// Failed edges of a run by their ends at rest, with the times.
 struct Failures {
     std::vector<std::pair<Vector3d, Vector3d>> edges;
     std::vector<double> times;
@@ -108,7 +108,7 @@ double path_ratio(std::uint32_t seed, CrackPath path) {
     return cracked / strip_width;
 }
 
-// A strip that is pulled breaks straight across, from its weak place, in two: no branches, no dust.
+// A pulled strip breaks straight across, from its weak place, in two: without branches or dust.
 TEST(CrackGrowth, RunsStraightAcrossAPull) {
     for (const std::uint32_t seed : {1u, 2u, 3u}) {
         EXPECT_LT(path_ratio(seed, CrackPath::cut), 1.05) << "seed " << seed << ": the mesh led the crack";
@@ -116,7 +116,7 @@ TEST(CrackGrowth, RunsStraightAcrossAPull) {
     }
 }
 
-// Triangles that cracks make keep the area and the mass of the sheet, and no piece is lost.
+// Triangles made by cracks must keep the area and the mass of the sheet, and no fragment may be lost.
 TEST(CrackGrowth, KeepsAreaAndMass) {
     Simulation simulation = pulled_strip(1, 1e6, 1.5e7);
     const Shell& shell = simulation.shell().mechanics();
@@ -130,7 +130,7 @@ TEST(CrackGrowth, KeepsAreaAndMass) {
     EXPECT_LE(shell.triangles.size(), faces + 2 * 20) << "at most two for an edge of the crack";
 }
 
-// Each tip has its number as long as it runs, and what it bears is recorded while it does.
+// Each tip keeps its number as long as it propagates, and its load is recorded meanwhile.
 TEST(CrackGrowth, RecordsItsTips) {
     Simulation simulation = pulled_strip(1, 1e6, 1.5e7, CrackPath::cut, no_limit);
     std::vector<TipRecord> tips;
@@ -156,7 +156,7 @@ TEST(CrackGrowth, RecordsItsTips) {
     EXPECT_GT((tips.back().position - tips.front().position).norm(), 2 * strip_edge);
 }
 
-// Under many times what a crack needs it cannot take all of it in one way: both of its branches must run.
+// Far above its toughness a crack must branch, and both branches must propagate.
 TEST(CrackGrowth, BranchesWhereItIsFedTooMuch) {
     Simulation simulation = pulled_strip(1, 1e6, 1.5e7);
     std::map<Index, std::vector<Vector3d>> places;
@@ -170,7 +170,7 @@ TEST(CrackGrowth, BranchesWhereItIsFedTooMuch) {
     EXPECT_GT(ran, 1) << "branches stopped where they began";
 }
 
-// What says how far an edge has opened must fade, on edges that have failed and no others, to nothing.
+// The shares of cohesive force must fade to zero, on failed edges and no others.
 TEST(CrackGrowth, SnapshotsTellHowFarEdgesHaveFaded) {
     Simulation simulation = pulled_strip(1, 1e6, 1.5e7);
     std::map<std::size_t, double> before;
@@ -197,12 +197,12 @@ TEST(CrackGrowth, SnapshotsTellHowFarEdgesHaveFaded) {
     EXPECT_TRUE(before.empty()) << "in the end nothing holds the strip together";
 }
 
-/// The strip in implicit steps of `step` s, until it is in two, or for 400 of them.
+/// Strip in implicit steps of `step` s, until it is in two, or for 400 of them.
 struct ImplicitRun {
     StepReport last;
     double needed = 0;   ///< J, of the cracks
     double largest = 0;  ///< J, of the energies
-    int fading = 0;      ///< edges that a step left half open
+    int fading = 0;      ///< number of edges that a step left half open
 
     explicit ImplicitRun(double step) {
         SimulationOptions options;
@@ -220,8 +220,8 @@ struct ImplicitRun {
     }
 };
 
-// Cracks take their energy of what is stored, and what they release beyond that is not theirs, whether an
-// edge opens within a step or in several: then a part has become motion before.
+// Cracks take their energy from the stored one, and no more than they need, whether an edge opens within a
+// step or in several: in the latter case a part has become kinetic energy before.
 TEST(CrackGrowth, CracksTakeTheirEnergyInImplicitStepsToo) {
     for (const double step : {5e-7, 1e-5}) {
         const ImplicitRun run(step);
@@ -234,7 +234,7 @@ TEST(CrackGrowth, CracksTakeTheirEnergyInImplicitStepsToo) {
     }
 }
 
-// No tip is faster than its limit, however it is loaded.
+// No tip may exceed its speed limit, however it is loaded.
 TEST(CrackGrowth, KeepsTheSpeedLimit) {
     const double limit = usual_speed_limit(test::glass);
     EXPECT_NEAR(limit, 1500, 100) << "as measured in glass";
@@ -249,7 +249,7 @@ TEST(CrackGrowth, KeepsTheSpeedLimit) {
     }
 }
 
-// Where the load is below the toughness a crack that was born stays as it is.
+// Where the load is below the toughness a crack that has started must arrest.
 TEST(CrackGrowth, AToughSheetArrestsItsCrack) {
     Simulation simulation = pulled_strip(1, 1e7, 1.5e7);
     Failures failures;
@@ -269,7 +269,7 @@ TEST(CrackGrowth, ASheetWithoutToughnessBreaksAsBefore) {
     EXPECT_EQ(plain.crack_tip_factor(Edge(0)), Strength().crack_tip_factor);
 }
 
-// A plate that a nose strikes breaks in a star, without a hole and without dust.
+// A plate that a nose strikes must break in a star, without a hole and without dust.
 TEST(CrackGrowth, AStruckPlateBreaksInAStar) {
     SheetInput plate;
     plate.mesh = generate_rectangle(0.12, 0.12, {0.003, Layout::delaunay, 1});

@@ -21,11 +21,11 @@ namespace {
 
 using test::Random;
 
-/// A cracked mesh less the numbers that vertices and edges got on the way.
+/// Cracked mesh without the numbers that its vertices and edges got on the way.
 struct Surface {
-    std::vector<std::size_t> vertex_of_corner;  ///< [3 F] first corner that is the same vertex
+    std::vector<std::size_t> vertex_of_corner;  ///< [3 F] first corner with the same vertex
     std::vector<EdgeState> state_of_side;       ///< [3 F]
-    std::vector<std::size_t> opposite_of_side;  ///< [3 F] the other face's side, its own on the boundary
+    std::vector<std::size_t> opposite_of_side;  ///< [3 F] side of the other face; its own on the boundary
     std::vector<Vertex> original_of_corner;     ///< [3 F]
     std::array<std::size_t, 4> counts;          ///< vertices, edges, faces, components
     bool operator==(const Surface&) const = default;
@@ -110,7 +110,7 @@ TEST(CrackOrder, DoesNotMatterOnGeneratedMeshes) {
     expect_one_surface_for_all_patterns(generate_revolution(profile, options));
 }
 
-// Meshes that nobody here made: they stand beside the project where there are any.
+// Meshes from elsewhere: used if they are present beside the project.
 TEST(CrackOrder, DoesNotMatterOnRealMeshes) {
     const auto folder = std::filesystem::path(__FILE__).parent_path() / "../../../shared/data";
     if (!std::filesystem::is_directory(folder)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where cracks run in slowly loaded sheets: what a user would see at once if it were wrong.
+// Crack paths in slowly loaded sheets: a user would notice a wrong one at once.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 constexpr double width = 0.06, span = 0.2, edge_length = 0.006, strength = 4e7;
 constexpr double ramp = 0.06;  // s
 
-/// What became of a sheet under a load that grows from nothing.
+/// Result of a sheet under a load that grows from zero.
 struct Outcome {
     double time = 0;  ///< s, of the first failure
     Snapshot end;
@@ -25,14 +25,14 @@ struct Outcome {
     std::vector<double> fragment_areas;
 };
 
-/// Pushes down on `faces`, with up to `force` (N/m^2), and stops when the sheet has fallen apart
-/// and nothing has broken for a while.
+/// Pushes down on `faces`, with up to `force` (N/m^2), and stops when the sheet has fallen apart and no edge
+/// has failed for a while.
 Outcome press(const SheetInput& input, const std::vector<Index>& faces, double force) {
     SimulationOptions options;
     options.stepper.gravity.setZero();
     options.stepper.step = 2e-4;
     options.stepper.shell.damping.stiffness = 1e-4;
-    options.stepper.contact.sheets = false;  // it is where cracks begin and run that counts here
+    options.stepper.contact.sheets = false;  // only the start and the paths of cracks count here
     const BreakableShell sheet({input});
     Load load;
     load.spread = area_forces(sheet.mechanics(), faces, Vector3d(0, 0, -force));
@@ -65,7 +65,7 @@ SheetInput glass_rectangle(double length, double height, unsigned seed) {
     return sheet;
 }
 
-/// The faces that have their middle between these coordinates.
+/// Faces whose centre is between these coordinates.
 std::vector<Index> faces_between(const Mesh& mesh, double low, double high) {
     std::vector<Index> faces;
     for (const Face face : mesh.faces()) {
@@ -114,8 +114,8 @@ double largest_distance(const Outcome& outcome, const SheetInput& sheet, double 
     return largest;
 }
 
-// From a notch at a third of the span, where an even load bends the strip less than in its middle: straight
-// across, with nothing broken elsewhere.
+// From a notch at a third of the span, where a uniform load bends the strip less than in its middle, the
+// crack must run straight across, without failures elsewhere.
 TEST(BreakingPath, RunsFromANotchAcrossABentStrip) {
     for (const unsigned seed : {1u, 2u, 3u}) {
         SheetInput strip = strip_on_two_supports(seed);
@@ -130,7 +130,7 @@ TEST(BreakingPath, RunsFromANotchAcrossABentStrip) {
     }
 }
 
-// A load on a narrow band in the middle, as a bar presses.
+// A load on a narrow band in the middle, like that of a bar.
 TEST(BreakingPath, BreaksAStripBentOverAnEdgeOnce) {
     constexpr double most = 3e5;  // N/m^2
     for (const unsigned seed : {1u, 2u, 3u}) {
@@ -164,7 +164,7 @@ std::array<double, 6> angle_histogram(const Outcome& outcome, const SheetInput& 
     return share;
 }
 
-// Four times as strong along the axis as across: cracks run along it, whichever way it points on the mesh.
+// Four times as strong along the axis as across: cracks run along it, whatever its direction on the mesh.
 TEST(BreakingPath, FollowsTheWeakDirectionOfAPlate) {
     for (const double degrees : {0, 90}) {
         SheetInput plate = glass_rectangle(0.2, 0.2, 4);

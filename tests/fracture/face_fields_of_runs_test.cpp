@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// If one of these fails, a recording tells the stress of other faces, or at another time, than it says.
+// Otherwise a recording has the stress of other faces, or at another time, than it claims.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -12,7 +12,7 @@
 namespace sherd {
 namespace {
 
-/// A strip that is held at one end and hangs under its weight.
+/// Strip that is held at one end and hangs under its weight.
 SheetInput hanging_strip(double strength) {
     SheetInput strip;
     strip.mesh = generate_rectangle(0.3, 0.06, {0.02, Layout::delaunay, 3});
@@ -61,7 +61,7 @@ TEST(FieldsOfRuns, GaugesShowThoseOfTheirFacesAtTheEndOfTheStep) {
     }
 }
 
-// It hangs down, so that its top is stretched along the strip, most of all near its wall.
+// The top of a strip that hangs down is stretched along it, most of all near its wall.
 TEST(FieldsOfRuns, TopOfAHangingStripIsStretched) {
     Simulation simulation({hanging_strip(1e9)}, with_all_fields(BendingModel::coupled));
     for (int i = 0; i < 4; ++i) simulation.step();
@@ -98,8 +98,8 @@ TEST(FieldsOfRuns, AreNotThereUnlessWanted) {
     EXPECT_EQ(report.gauges[0].stress_top.norm(), 0);
 }
 
-/// Of the curvature of the faces of a square of side 1 that is bent to a sin(pi x), the root of the mean
-/// squares over that of the curvature itself; without a rim of 0.15, where free edges matter.
+/// Root mean square error of the faces' curvature on a square of side 1 that is bent to a sin(pi x), over the
+/// root mean square of the curvature; without a rim of 0.15, where free edges matter.
 double error_of_curvature(BendingModel model, double edge_length) {
     SheetInput square;
     square.mesh = generate_rectangle(1, 1, {edge_length, Layout::delaunay, 5});
@@ -127,7 +127,7 @@ double error_of_curvature(BendingModel model, double edge_length) {
     return std::sqrt(wrong / all);
 }
 
-// The table of core/bending/README.md: what is recorded with single hinges must not be taken for stress.
+// Table of core/bending/README.md: fields recorded with single hinges must not be taken for stress.
 TEST(FieldsOfRuns, CurvatureConvergesWithCoupledHingesOnly) {
     double before = 1;
     for (const double edge : {0.1, 0.05, 0.025}) {

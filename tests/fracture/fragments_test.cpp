@@ -22,7 +22,7 @@ std::vector<double> areas_of(const Mesh& mesh) {
     return areas;
 }
 
-/// The edges along the column `x` of a grid of `rows` rows that is `columns` wide.
+/// Edges along the column `x` of a grid of `rows` rows that is `columns` wide.
 std::vector<Edge> column_edges(const Mesh& mesh, unsigned columns, unsigned rows, unsigned x) {
     std::vector<Edge> edges;
     for (unsigned y = 0; y < rows; ++y)
@@ -31,7 +31,7 @@ std::vector<Edge> column_edges(const Mesh& mesh, unsigned columns, unsigned rows
     return edges;
 }
 
-// The larger part keeps its number while the other gets a new one; so again with what split off.
+// The larger part keeps its number and the other gets a new one, also when that one splits again.
 TEST(Fragments, KeepTheirNumbersWhileOthersSplit) {
     const Mesh whole = test::grid(10, 2);
     const std::vector<double> areas = areas_of(whole);
@@ -55,8 +55,8 @@ TEST(Fragments, KeepTheirNumbersWhileOthersSplit) {
     }
 }
 
-// Whatever breaks in whatever order: the numbers are those of the components, faces that part never meet
-// again under one number, each new number had a parent that existed, and a number keeps its largest part.
+// In whatever order edges fail: numbers are those of the components, separated faces never share a number
+// again, each new number had a parent that existed, and a number keeps its largest part.
 RC_GTEST_PROP(Fragments, AreComponentsWithAncestors, ()) {
     const Mesh whole = test::grid(*rc::gen::inRange(2, 7), *rc::gen::inRange(1, 5));
     const std::vector<double> areas = areas_of(whole);

@@ -28,7 +28,7 @@ std::vector<Vector3d> level_axes(const Mesh& mesh) {
     return axes;
 }
 
-/// A coarse bowl that spins, flies and vibrates; five times as stiff along its first axis as across.
+/// Coarse bowl that spins, flies and vibrates; five times as stiff along its first axis as across.
 SheetInput spinning_bowl() {
     SheetInput shell;
     const std::vector<Vector2d> profile{{0, 0}, {0.05, 0.01}, {0.08, 0.05}};
@@ -52,7 +52,7 @@ SimulationOptions weightless(double step, BendingModel model) {
 constexpr std::array models{BendingModel::cubic, BendingModel::cubic_2007, BendingModel::nonlinear};
 constexpr std::array names{"cubic", "cubic-2007", "nonlinear"};
 
-/// Largest change of the linear momentum over so many steps, relative.
+/// Largest relative change of the linear momentum over so many steps.
 double drift(BendingModel model, int steps) {
     Simulation simulation({spinning_bowl()}, weightless(1e-4, model));
     const Vector3d start = linear_momentum(simulation.shell().mechanics());
@@ -78,8 +78,8 @@ TEST(FreeFlight, EachBendingModelKeepsLinearMomentum) {
     }
 }
 
-/// Brings a sheet to equilibrium, which is not its rest shape with cubic-2007, and gives it its motion back:
-/// what the rest shape sets free would be damped away as vibration.
+/// Brings a sheet to equilibrium, which is not its rest shape with cubic-2007, and restores its velocity:
+/// otherwise vibration about the rest shape would be damped away.
 void settle_in_motion(Shell& sheet, StepperOptions options) {
     const Positions motion = sheet.velocity;
     sheet.velocity.setZero();
@@ -88,7 +88,7 @@ void settle_in_motion(Shell& sheet, StepperOptions options) {
     sheet.velocity = motion;
 }
 
-/// What a flight of 0.02 s takes, relative.
+/// Relative losses in a flight of 0.02 s.
 struct Loss {
     double angular_momentum, energy;
 };
@@ -103,12 +103,12 @@ Loss loss(BendingModel model, double step) {
     settle_in_motion(sheet, options);
     ImplicitStepper time_step(sheet, options);
     time_step.begin();
-    time_step.position = sheet.position;  // whose energies are asked for below
+    time_step.position = sheet.position;  // the energies below are those at these positions
     const auto energy = [&] {
         const PotentialEnergies potential = time_step.energies();
         return kinetic_energy(sheet) + potential.bending + potential.membrane;
     };
-    // About the centre of mass, which flies with the momentum over the mass.
+    // about the centre of mass, which moves with the momentum over the mass
     const auto spin = [&] {
         const Vector3d centre = sheet.position * sheet.mass / sheet.mass.sum();
         return Vector3d(angular_momentum(sheet) - centre.cross(linear_momentum(sheet)));
@@ -123,8 +123,8 @@ Loss loss(BendingModel model, double step) {
     return {1 - spin().dot(spin_before) / spin_before.squaredNorm(), 1 - energy() / energy_before};
 }
 
-// What implicit Euler takes, and no more: half the step must halve the loss, and no bending model may add to
-// it.
+// The loss must be that of implicit Euler alone: half the step must halve the loss, and no bending model may
+// add to it.
 TEST(FreeFlight, LossOfAngularMomentumAndEnergyIsOfFirstOrderInTheStepWithEachBendingModel) {
     const std::array<double, 3> steps{4e-5, 2e-5, 1e-5};
     std::array<std::array<Loss, 3>, 3> lost;

@@ -16,7 +16,7 @@ TEST(Gauge, ShowsTheDisplacementOfItsPoint) {
     const Gauge gauge = nearest_gauge(shell, place + 0.01 * normal, -1);
     EXPECT_EQ(gauge.face, 1);
     EXPECT_LT((gauge.place - place).norm(), 1e-12);
-    Matrix3d map;  // an affine motion, which is exact in between
+    Matrix3d map;  // an affine motion, for which interpolation is exact
     map << 1.1, 0.2, 0, -0.1, 0.9, 0.3, 0.4, 0, 1;
     const Vector3d way(1, -2, 3);
     shell.position = (map * shell.rest).colwise() + way;
@@ -31,7 +31,7 @@ TEST(Gauge, IsSoughtOnItsSheet) {
     EXPECT_EQ(nearest_gauge(shell, corner, 0).face, 0);
 }
 
-// A crack that splits the face leaves the gauge on the part that has its point.
+// When a crack splits the face, the gauge must remain on the part with its point.
 TEST(Gauge, FollowsItsMaterialWhenAFaceIsSplit) {
     for (const double place : {0.2, 0.8}) {
         Shell shell = test::two_triangles(Material{});

@@ -73,7 +73,7 @@ TEST_F(HingeMeasuresOfASquare, SeeTheStretchedSurfaceOfABend) {
     }
 }
 
-// A membrane that measures along the curved sheet knows better than the corners.
+// Membrane strains that are given, as by arcs, are more exact than those of the corners and must be used.
 TEST_F(HingeMeasuresOfASquare, TakeTheStretchThatTheyAreGiven) {
     const double stretch = 2e-4;
     Positions x = flat;
@@ -90,7 +90,7 @@ TEST_F(HingeMeasuresOfASquare, TakeTheStretchThatTheyAreGiven) {
     EXPECT_LT((given.stress - own.stress).norm(), 1e-9 * own.stress.norm());
 }
 
-// Metal that has been bent for good is strained, and has no stress from it.
+// Plastic curvature of metal is strain without stress.
 TEST_F(HingeMeasuresOfASquare, WhatFacesKeepIsStrainWithoutStress) {
     const auto faces = static_cast<Eigen::Index>(sheet->mechanics().triangles.size());
     const Eigen::Matrix3Xd none = Eigen::Matrix3Xd::Zero(3, faces),
@@ -102,7 +102,7 @@ TEST_F(HingeMeasuresOfASquare, WhatFacesKeepIsStrainWithoutStress) {
     EXPECT_LT(kept.stress.norm(), 1e-9 * elastic.stress.norm());
 }
 
-// Bending and stretch add up at the surface; a stretch that undoes the bending's leaves nothing.
+// Bending and stretch add up at the surface, and opposite ones must cancel.
 TEST_F(HingeMeasuresOfASquare, AddBendingAndStretch) {
     Positions both = rolled(flat, 0.5);
     const double squeeze = -0.5 * thickness / 2;

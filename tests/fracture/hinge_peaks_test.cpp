@@ -17,7 +17,7 @@ SheetInput disc() {
     return sheet;
 }
 
-/// So much of the edge's number on every hinge.
+/// Measures that are `factor` times the number of each hinge's edge.
 HingeMeasures by_edge(const BreakableShell& sheet, double factor) {
     VectorXd values(static_cast<Index>(sheet.mechanics().hinges.size()));
     for (Index i = 0; i < values.size(); ++i)
@@ -25,7 +25,7 @@ HingeMeasures by_edge(const BreakableShell& sheet, double factor) {
     return {values, 2 * values, 3 * values};
 }
 
-// Hinges are renumbered when one fails: what one bore would be told of another one.
+// Hinges are renumbered when one fails: a peak must not pass to another edge.
 TEST(HingePeaks, StayWithTheirEdgesWhateverFails) {
     BreakableShell sheet({disc()});
     std::vector<Edge> failing;
@@ -50,7 +50,7 @@ TEST(HingePeaks, StayWithTheirEdgesWhateverFails) {
     }
 }
 
-// A step that could not be solved to its end is done again, shorter; what it would have been never was.
+// A failed step is repeated with a shorter one; its measures must be dropped.
 TEST(HingePeaks, ForgetAttemptsThatWereGivenUp) {
     const BreakableShell sheet({disc()});
     HingePeaks peaks;
@@ -60,7 +60,7 @@ TEST(HingePeaks, ForgetAttemptsThatWereGivenUp) {
     EXPECT_EQ(peaks.of_edges().bending.maxCoeff(), by_edge(sheet, 1).bending.maxCoeff());
 }
 
-// The table of a run would contradict itself.
+// Otherwise the table of a run would contradict itself.
 TEST(HingePeaks, TheLargestIsThatOfTheReports) {
     SheetInput sheet = disc();
     for (const Vertex v : sheet.mesh.vertices()) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A strip broken in the middle, whose halves are pushed together again: nothing may pass through the crack.
+// (Crack faces are called lips.)
 #include "fracture/lips.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +29,7 @@ SheetInput strip_input(Layout layout) {
     return strip;
 }
 
-/// The halves of a strip, which lie as they were; each vertex moves with a velocity of its own.
+/// Halves of a strip at their original places; each vertex has a velocity of its own.
 class BrokenStrip {
   public:
     /// step: s.
@@ -52,7 +53,7 @@ class BrokenStrip {
             mechanics.velocity.col(v) = of_vertex(on_left[v], Vector3d(mechanics.position.col(v)));
     }
 
-    /// One step; what must be true after each.
+    /// Makes one step and checks the invariants.
     void advance() {
         time_step->begin();
         const MinimiserResult result = time_step->solve(50);
@@ -77,8 +78,8 @@ class BrokenStrip {
 
     BreakableShell sheet;
     std::unique_ptr<ImplicitStepper> time_step;
-    std::vector<char> on_left;   ///< of each vertex
-    double largest_overlap = 0;  ///< m, of lips that are not left to the barrier
+    std::vector<char> on_left;   ///< flag of each vertex
+    double largest_overlap = 0;  ///< m, of crack faces without barrier
 
   private:
     bool left(Face face) const {
@@ -115,7 +116,7 @@ class BrokenStrip {
 
 class BrokenStrips : public ::testing::TestWithParam<Layout> {};
 
-// Pushed together in plane at 1 m/s: the halves bounce off each other, and their momentum stays.
+// Pushed together in plane at 1 m/s: the halves must bounce off each other, and keep their momentum.
 TEST_P(BrokenStrips, PushedTogetherInPlaneBounce) {
     BrokenStrip strip(GetParam(), 2e-6);
     strip.set_velocity([](bool left, const Vector3d&) { return Vector3d(left ? 0.5 : -0.5, 0, 0); });
@@ -129,7 +130,7 @@ TEST_P(BrokenStrips, PushedTogetherInPlaneBounce) {
     EXPECT_LT((mechanics.velocity * mechanics.mass - momentum).norm(), 1e-9 * 0.5 * mechanics.mass.sum());
 }
 
-// Moved apart and together again: the barrier takes over for good, and keeps them a thickness apart.
+// Moved apart and together again: from then on the barrier acts, and keeps them a thickness apart.
 TEST_P(BrokenStrips, AreLeftToTheBarrierOnceApart) {
     BrokenStrip strip(GetParam(), 1e-4);
     strip.set_velocity([](bool left, const Vector3d&) { return Vector3d(left ? -5 : 5, 0, 0); });
@@ -145,7 +146,8 @@ TEST_P(BrokenStrips, AreLeftToTheBarrierOnceApart) {
     EXPECT_LT(strip.mean(strip.sheet.mechanics().velocity, true).x(), 0);
 }
 
-// Folded like a book about the crack, 180 degrees and on: the lips turn on each other, then the pages meet.
+// Folded like a book about the crack, by 180 degrees and more: the crack faces turn on each other, then the
+// halves meet.
 TEST_P(BrokenStrips, FoldedOntoEachOtherStayApart) {
     BrokenStrip strip(GetParam(), 1e-4);
     strip.set_velocity([](bool left, const Vector3d& x) {
@@ -156,8 +158,8 @@ TEST_P(BrokenStrips, FoldedOntoEachOtherStayApart) {
     EXPECT_LT(strip.largest_overlap, 0.1 * test::glass.thickness);
 }
 
-// Half a turn apart like scissors: the ends of two lips are far from each other, their middles are not. They
-// were once left to the barrier all the same, each end trusting the other, and the run ended.
+// Half a turn apart like scissors: the ends of two crack faces are far from each other, their middles are
+// not. Contact by the barrier once began all the same, and the run ended.
 TEST(BrokenStrip, LipsThatCrossAreNotLeftToTheBarrier) {
     BrokenStrip strip(Layout::structured, 1e-4);
     Positions& x = strip.sheet.mechanics().position;
@@ -180,12 +182,13 @@ TEST(BrokenStrip, LipsThatCrossAreNotLeftToTheBarrier) {
     EXPECT_TRUE(strip.sheet.mechanics().twins.empty());
 }
 
-/// The halves of a strip with a straight crack, whose lips are cut by edges that end there.
+/// Halves of a strip with a straight crack, whose crack faces are cut by edges that end there.
 class CutStrip {
   public:
     CutStrip() : sheet({strip_input(Layout::structured)}) { sheet.fail(crack()); }
 
-    /// Makes an edge from the apex of one of the lips' triangles towards its lip, at this share of it.
+    /// Makes an edge from the apex of a triangle at a crack face towards this face, at the share `share` of
+    /// its length.
     void cut(unsigned lip, double share) {
         const std::vector<Halfedge> all = lips();
         const Halfedge h = all[lip % all.size()];
@@ -197,7 +200,7 @@ class CutStrip {
         options.always_straight = true;
         sheet.advance(apex, end - rest(apex), options);
     }
-    /// Energy, J, of the lips with the halves pushed into each other by `overlap` m.
+    /// Energy, J, of the crack faces with the halves pushed into each other by `overlap` m.
     double energy(double overlap) {
         Shell& shell = sheet.mechanics();
         Positions x = shell.rest;
@@ -208,7 +211,7 @@ class CutStrip {
         return LipContact(shell.lips).value(x);
     }
     std::size_t lip_count() const { return lips().size(); }
-    /// Which of the lips lies on this one; cuts leave it, or its first piece, there.
+    /// Number of the crack face opposite to this one; cuts leave it, or its first piece, there.
     unsigned facing(unsigned lip) const {
         const std::vector<Halfedge> all = lips();
         for (unsigned other = 0; other < all.size(); ++other)
@@ -243,13 +246,13 @@ class CutStrip {
     BreakableShell sheet;
 };
 
-/// Energy, J, of lips of a whole strip that overlap by `overlap` m.
+/// Energy, J, of crack faces of a whole strip that overlap by `overlap` m.
 double energy_of_whole(double overlap) {
     return 0.5 * test::glass.young / 2 * strip_width * overlap * overlap;
 }
 
-// A crack that ends at a closed lip cuts it. A piece between two such cuts had nothing that held it in front
-// of the other lip, and passed through it.
+// A crack that ends at a closed crack face cuts it. A piece between two such cuts once had no opposite face,
+// and passed through.
 RC_GTEST_PROP(CutStrip, HasLipsAsStiffAsWholeOnes, ()) {
     CutStrip strip;
     const std::size_t whole = strip.lip_count();
@@ -261,8 +264,8 @@ RC_GTEST_PROP(CutStrip, HasLipsAsStiffAsWholeOnes, ()) {
     RC_ASSERT(strip.energy(-overlap) == 0);
 }
 
-// Two cracks that end at one place, each at a lip of its own: but for rounding the pieces have a common end,
-// and each was once half as stiff there, or half as stiff again.
+// Two cracks that end at one place, on opposite crack faces: up to rounding the pieces have a common end, and
+// each was once half as stiff there, or half as stiff again.
 TEST(CutStrip, HasLipsAsStiffThatAreCutAtOnePlaceFromBothSides) {
     const double overlap = 1e-5, expected = energy_of_whole(overlap);
     const std::size_t whole = CutStrip().lip_count();
@@ -273,8 +276,8 @@ TEST(CutStrip, HasLipsAsStiffThatAreCutAtOnePlaceFromBothSides) {
             const unsigned facing = strip.facing(lip);
             strip.cut(lip, percent / 100.0);
             strip.cut(facing, 1 - percent / 100.0);
-            both +=
-                strip.lip_count() == whole + 2;  // else a smallest angle has let an edge end before its lip
+            both += strip.lip_count() ==
+                    whole + 2;  // otherwise the smallest angle has ended an edge before the crack face
             EXPECT_NEAR(strip.energy(overlap), expected, 1e-9 * expected) << lip << " at " << percent << " %";
         }
     EXPECT_GT(both, 50);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tips of cracks where loads act in their rings, and in curved shells.
+// Crack tips with loads in their rings, and in curved shells.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,7 +22,7 @@ Positions forces_of(const Energy& loads, const Positions& x) {
     return -gradient;
 }
 
-/// The lips of a crack from -1 to 1, pushed apart by a pressure on them.
+/// Load that pushes the crack faces (lips) from -1 to 1 apart by a pressure on them.
 Load pressure_on_lips(const test::CrackedSheet& sheet, double pressure) {
     const std::vector<char> lips = [&] {
         std::vector<char> all(sheet.shell.rest.cols());
@@ -30,7 +30,7 @@ Load pressure_on_lips(const test::CrackedSheet& sheet, double pressure) {
             all[v] = std::abs(sheet.shell.rest(1, v)) < 1e-9 && std::abs(sheet.shell.rest(0, v)) < 1 + 1e-9;
         return all;
     }();
-    std::array<std::vector<TriangleEdge>, 2> sides;  // of the lip below, and above
+    std::array<std::vector<TriangleEdge>, 2> sides;  // below the crack, and above
     for (const TriangleEdge& side : boundary_triangle_edges(sheet.shell, lips))
         sides[sheet.shell.rest(1, edge_and_apex(sheet.shell, side)[2]) > 0].push_back(side);
     Load load;
@@ -42,8 +42,8 @@ Load pressure_on_lips(const test::CrackedSheet& sheet, double pressure) {
     return load;
 }
 
-// Pressure on the lips drives a crack like a pull on the sheet, from which it differs by a field of constant
-// strain without a crack; the rings move through it.
+// Pressure on the crack faces drives a crack like a pull on the sheet, from which it differs by a field of
+// constant strain without a crack; the rings move through it.
 TEST(LoadedTips, PressureOnLipsReleasesWhatAPullDoes) {
     for (const int size : {5, 10}) {
         std::array<double, 3> with{}, without{};
@@ -80,7 +80,7 @@ TEST(LoadedTips, PressureOnLipsReleasesWhatAPullDoes) {
     }
 }
 
-/// A shell of radius `radius` about the x axis, which the sheet is rolled onto.
+/// Sheet rolled to a shell of radius `radius` about the x axis.
 test::CrackedSheet rolled_sheet(double edge_length, unsigned seed, double radius, double thickness) {
     Mesh mesh = test::square_mesh(edge_length, seed, {{{-1, 0}, {1, 0}}});
     for (const Vertex v : mesh.vertices()) {
@@ -94,7 +94,7 @@ test::CrackedSheet rolled_sheet(double edge_length, unsigned seed, double radius
     return sheet;
 }
 
-/// The cylinder under pressure, with the stress load_of_tips around and none along.
+/// Positions of the cylinder under pressure, with the stress load_of_tips around and none along.
 Positions blown_up(const test::CrackedSheet& sheet, double radius, LoadEnergy& loads) {
     const auto angle_at = [&](Index v) { return std::atan2(sheet.shell.rest(1, v), sheet.shell.rest(2, v)); };
     std::vector<char> outline = test::near_outline(sheet.shell, 1e-9);
@@ -117,7 +117,7 @@ Positions blown_up(const test::CrackedSheet& sheet, double radius, LoadEnergy& l
 }
 
 // A thin sheet that is rolled up by 2 rad across its crack: far from small displacements, where no theory
-// tells what is released, it must not matter how many rings move.
+// gives the release, it must not depend on the number of moving rings.
 TEST(LoadedTips, RollingUpReleasesTheSameWithAnyRings) {
     constexpr double radius = 6;
     const test::CrackedSheet sheet = test::cracked_sheet(0.1, 1);

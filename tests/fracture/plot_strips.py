@@ -7,7 +7,7 @@
 import re
 import sys
 
-LEFT, TOP, WIDTH, HEIGHT = 60, 20, 560, 320  # of the axes, pixels
+LEFT, TOP, WIDTH, HEIGHT = 60, 20, 560, 320  # place of the axes, pixels
 NUMBER = r"\s+([0-9.]+)"
 ROW = re.compile("strip:" + 7 * NUMBER)  # angle; measured, least, most; 1/S11, D11, eq. 8
 THEORY = [(4, "#1b7837", "", "plate theory, narrow free strip: 1/S11"),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The energy of tempered sheets. Did it depend on the mesh, or were it released twice, tempered glass would
-// break into as many pieces as the mesh has faces.
+// Energy of tempered sheets. If it depended on the mesh, or were released twice, tempered glass would break
+// into as many fragments as the mesh has faces.
 #include "fracture/residual_stress.h"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ Vertex nearest_vertex(const BreakableShell& shell, const Vector3d& place) {
     return Vertex(static_cast<unsigned>(vertex));
 }
 
-/// The edges of a structured pane along a line of its grid, y = height, in the order of x, to an end.
+/// Edges of a structured pane on the grid line y = height, in the order of x, as far as x = end.
 std::vector<Edge> edges_along(const Mesh& mesh, double height, double end) {
     std::vector<std::pair<double, Edge>> found;
     for (const Edge edge : mesh.edges()) {
@@ -81,8 +81,8 @@ TEST(ResidualStress, APieceReleasesTheSameOnAnyMesh) {
         }
 }
 
-// A crack frees a sheet of the stress across it, so that one that comes across it has as much as ever, until
-// it meets it, and less than half of a side remains beyond.
+// A crack frees a sheet of the stress across it alone, so that a crack perpendicular to it has its full
+// release until both meet.
 TEST(ResidualStress, ACrackAcrossAnotherReleasesAsMuch) {
     BreakableShell shell({pane(0.001, Layout::structured)});
     const double alone = residual_release(shell, nearest_vertex(shell, {0.03, 0.027, 0}), {0.03, 0.028, 0});
@@ -93,7 +93,7 @@ TEST(ResidualStress, ACrackAcrossAnotherReleasesAsMuch) {
     }
 }
 
-// There is nothing beyond a rim.
+// No energy is released beyond a rim.
 TEST(ResidualStress, ARimIsNoCrackAndEndsTheSheet) {
     const BreakableShell shell({pane(0.001, Layout::structured)});
     const ResidualStress residual = residual_stress(tempered_glass());
@@ -105,8 +105,8 @@ TEST(ResidualStress, ARimIsNoCrackAndEndsTheSheet) {
         << "it runs into the rim";
 }
 
-// Where another crack has taken a share there is less left to take: between two of them at a distance s the
-// share (1 - exp(-s / (2 reach)))^2 of what one lip releases, and 1 - exp(-s / reach) of it beyond.
+// Less energy is left beside another crack: between two at a distance s the share (1 - exp(-s / (2 reach)))^2
+// of the release of one crack face, and 1 - exp(-s / reach) of it beyond.
 TEST(ResidualStress, ACrackBesideAnotherReleasesLess) {
     const ResidualStress residual = residual_stress(tempered_glass());
     const double edge_length = 0.0005, step = 0.001;
@@ -142,8 +142,8 @@ TEST(ResidualStress, ATemperedSurfaceBearsMore) {
     }
 }
 
-/// Length of cracks, and the last report, of a pane without loads that is tempered by so much, some time
-/// after its rim was notched.
+/// Length of cracks, and the last report, of a pane without loads that is tempered by `stress` (Pa), `steps`
+/// steps after its rim was notched.
 std::pair<double, StepReport> notched(double stress, int steps) {
     SheetInput input = pane(0.002, Layout::structured);
     input.material.tempered = stress;
@@ -169,7 +169,7 @@ std::pair<double, StepReport> notched(double stress, int steps) {
     return {length, report};
 }
 
-// Nothing but its own energy drives the crack: it runs where that is over G_c, and there only.
+// Only its own energy drives the crack: it must propagate where that is over G_c, and only there.
 TEST(BreakingResidualStress, DrivesACrackThatItSuffices) {
     const ResidualStress at = residual_stress(tempered_glass());
     const double needed = 7.5e5 * 7.5e5 / test::glass.young,
@@ -185,7 +185,8 @@ TEST(BreakingResidualStress, DrivesACrackThatItSuffices) {
     EXPECT_LT(std::abs(broken.unexplained), 1e-9);
 }
 
-// Where residual stress feeds a crack at its limit more than twice it branches, and the branches meet.
+// Where residual stress releases more than twice the fracture energy at a crack's speed limit the crack
+// branches, and the branches meet.
 TEST(BreakingResidualStress, DicesASheetThatHasTooMuch) {
     const auto [length, broken] = notched(2.5e8, 60);
     EXPECT_GT(length, 0.15);

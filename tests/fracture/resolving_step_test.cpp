@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The step that resolves cracks. Were it of the wrong sheet or edges, whoever writes it would wait for
-// nothing, or not see the cracks run.
+// Step that resolves cracks. From a wrong sheet or edges it would be needlessly short, or too long for the
+// cracks' propagation to be seen.
 #include "fracture/resolving_step.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace sherd {
 namespace {
 
-/// Every face has the sides 3, 4 and 5 times this (m).
+/// m; every face has the sides 3, 4 and 5 times this
 constexpr double unit = 0.001;
 
 SheetInput grid(double speed_limit) {

@@ -46,8 +46,8 @@ TEST(Simulation, LinearMomentumFollowsGravityWhileNothingTouches) {
     }
 }
 
-// Of a step so long that its inertia is lost beside the stiffness no matrix can be made; a shorter one is
-// good, as where iterations do not suffice, and the run must not end.
+// For a step so long that its inertia is lost beside the stiffness the matrix cannot be factorized; a shorter
+// step must follow, as where iterations do not suffice, and the run must not end.
 TEST(Simulation, AStepWithoutAMatrixIsHalved) {
     SimulationOptions options;
     options.stepper.step = 1e5;
@@ -112,7 +112,7 @@ double total_energy(const StepReport& report) {
     return report.kinetic + report.bending + report.membrane + report.contact + report.gravity;
 }
 
-// Breaking may neither lose mass nor gain energy, and the events must tell all that happened to the mesh.
+// Fracture may neither lose mass nor gain energy, and the events must list all changes of the mesh.
 TEST(BreakingSimulation, BreaksWithoutGainingEnergyAndRecordsEveryEvent) {
     Simulation simulation = falling_disc(0.3);
     const Snapshot before = simulation.snapshot();
@@ -163,7 +163,8 @@ Simulation landing_disc(int max_iterations, double tolerance) {
     return Simulation({plate}, options);
 }
 
-// A step that needs more iterations than allowed is done in shorter ones, which end where it would have.
+// A step that needs more iterations than allowed is divided into shorter ones, which must end at the same
+// time.
 TEST(Simulation, HalvesAStepThatCannotBeSolvedAndGoesOn) {
     Simulation simulation = landing_disc(4, 1e-6);
     Index halvings = 0;
@@ -181,7 +182,7 @@ TEST(Simulation, HalvesAStepThatCannotBeSolvedAndGoesOn) {
     EXPECT_EQ(largest_after, 1e-3) << "the step has grown back";
 }
 
-/// A strip held at both ends under so great a weight that it falls by half its length within a step of 30 ms,
+/// Strip held at both ends under so great a weight that it falls by half its length within a step of 30 ms
 /// once it may: of `strength` (1/m) across its middle, unbreakable elsewhere.
 Simulation heavy_strip(double strength) {
     constexpr double length = 0.2, width = 0.04;
@@ -206,9 +207,9 @@ Simulation heavy_strip(double strength) {
     return Simulation({strip}, options);
 }
 
-// What breaks in a step that then has to be halved has happened in what was done of it, and the mesh and its
-// mechanics stay together. Whole, the strip bends little, which 19 iterations find; its halves, which are to
-// hang down at the end of the step, would take some 250.
+// Failures in a step that is then halved belong to the part that was made, and the mesh and its mechanics
+// must stay consistent. Whole, the strip bends little, which 19 iterations find; its halves, which hang down
+// at the end of the step, would take some 250.
 TEST(BreakingSimulation, EventsHaveTheTimeOfTheStepThatWasDone) {
     Simulation whole = heavy_strip(INFINITY), simulation = heavy_strip(1e-6);
     const StepReport before = whole.step(), report = simulation.step();
@@ -235,7 +236,7 @@ TEST(BreakingSimulation, EventsHaveTheTimeOfTheStepThatWasDone) {
     EXPECT_TRUE(simulation.take_events().failures.empty());
 }
 
-// Nothing may go on from a step that failed.
+// No run may continue after its smallest step has failed.
 TEST(Simulation, ThrowsWhenTheSmallestStepCannotBeSolved) {
     Simulation simulation = landing_disc(2, 1e-30);
     try {

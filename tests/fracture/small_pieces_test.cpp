@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pieces that are too small to be wanted. Were one let go, or an edge kept that no such piece hangs by, a
-// picture would have the dust that it forbade, or cracks that end in nothing.
+// Pieces below the smallest size. If one came off, or an edge that holds no such piece were kept, a picture
+// would have the dust that was excluded, or cracks with dead ends.
 #include "fracture/small_pieces.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,8 @@ class SmallPieces : public testing::Test {
     Edge edge_at(unsigned a, unsigned b) const {
         return sheet->mesh().edge(sheet->mesh().halfedge(Vertex(a), Vertex(b)));
     }
-    /// Whether the failure of one edge after some others separates a piece that is smaller than that.
+    /// Whether the failure of one edge after some others separates a piece smaller than a square of side
+    /// `smallest` (m).
     bool separates(Edge edge, double smallest, const std::vector<Edge>& before = {}) const {
         std::vector<char> gone(sheet->mesh().number_of_edges(), 0);
         for (const Edge one : before) gone[one] = 1;
@@ -61,7 +62,7 @@ TEST_F(SmallPieces, AreToldFromEitherSideOfACrackThatIsOpen) {
     EXPECT_TRUE(separates(edge_at(45, 58), 5, cut));
 }
 
-// Two edges that would let a piece go together: one of them may fail.
+// Two edges together would separate a piece: one of them may fail.
 TEST_F(SmallPieces, AreKeptOnByTheLastEdgeAndCountedOnce) {
     const std::vector<Edge> both{right(), top()};
     EXPECT_EQ(keep_small_pieces_on(*sheet, both), 1);
@@ -73,7 +74,7 @@ TEST_F(SmallPieces, AreKeptOnByTheLastEdgeAndCountedOnce) {
     EXPECT_EQ(keep_small_pieces_on(*sheet, both), 0) << "any piece may come off";
 }
 
-/// A tilted disc that falls on a floor, at 4 m/s.
+/// Tilted disc that falls on a floor, at 4 m/s.
 Simulation thrown_disc(const ArtDirection& art_direction) {
     SheetInput plate;
     plate.mesh = generate_disc(0.1, {0.012, Layout::delaunay, 1});
@@ -96,7 +97,7 @@ double smallest_area(const Snapshot& frame, Index fragments) {
     return *std::ranges::min_element(area);
 }
 
-// What breaks in a run has no piece below the size, and the run tells how often it kept one on.
+// A run must have no fragment below the size, and report how often it kept one on.
 TEST(ArtDirection, NoPieceOfARunIsBelowTheSmallest) {
     for (const double smallest : {0.0, 0.03}) {
         Simulation simulation = thrown_disc({.smallest = smallest});
@@ -114,7 +115,7 @@ TEST(ArtDirection, NoPieceOfARunIsBelowTheSmallest) {
     }
 }
 
-// Until its time has come nothing breaks, and then it does.
+// Nothing may fail before the given time, and then something must.
 TEST(ArtDirection, NothingFailsBeforeItsTime) {
     Simulation simulation = thrown_disc({});
     double first = 0;

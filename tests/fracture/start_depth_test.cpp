@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What starts in an obstacle must neither be flung out of it, with energy from nowhere, nor fall through it.
+// Sheets that start in an obstacle must neither be thrown out of it, with too much energy, nor fall through
+// it.
 #include "core/contact/colliders/start_depth.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +30,7 @@ SimulationOptions on_floor(Scheme scheme, double height) {
     return options;
 }
 
-/// A square at height 0 whose vertices may be as deep in what is below as they are.
+/// Square at height 0 whose vertices may be as deep in the obstacle below as they start.
 BreakableShell sunk(double depth, double speed = 0, bool unseen = false) {
     SheetInput input = tilted_square(0, {0, 0, 0}, 0.25);
     input.velocity = {0, 0, speed};
@@ -57,15 +58,15 @@ TEST(StartDepth, APlateInTheFloorRestsThere) {
     }
 }
 
-// The first substep must be short enough for a contact that weight makes only in it: one without gravity in
-// mind flung a plate of 10 kg up at 0.16 m/s.
+// The first substep must be short enough for a contact that weight makes in it: chosen without gravity it
+// threw a plate of 10 kg up at 0.16 m/s.
 TEST(StartDepth, APlateThatTouchesTheFloorRestsInExplicitSteps) {
     Simulation simulation({tilted_square(0, {0, 0, half}, 0.25)}, on_floor(Scheme::explicit_differences, 0));
     for (int i = 0; i < 20; ++i) EXPECT_LT(simulation.step().kinetic, 1e-5);
     EXPECT_NEAR(lowest(simulation), half, 1e-6);
 }
 
-// Thrown up, it lands on the floor as any plate does.
+// Thrown up, the plate must land on the floor like any other.
 TEST(StartDepth, WhatCameOutStaysOut) {
     Simulation simulation(sunk(1e-3 + half, 0.4), on_floor(Scheme::implicit_euler, 1e-3));
     const double energy = 0.5 * mass * 0.4 * 0.4;
@@ -80,7 +81,7 @@ TEST(StartDepth, WhatCameOutStaysOut) {
     EXPECT_GT(lowest(simulation), 1e-3 + 0.9 * half) << "it sank into the floor again";
 }
 
-// A depth that has shrunk does not grow again.
+// A start depth that has shrunk must not grow again.
 TEST(StartDepth, OnlyShrinks) {
     BreakableShell sheet = sunk(2e-3 + half, 0, true);
     Shell& shell = sheet.mechanics();
@@ -96,7 +97,7 @@ TEST(StartDepth, OnlyShrinks) {
     EXPECT_TRUE(shell.start_depths.empty());
 }
 
-// The copies that a crack makes are as deep as their originals, so that it does not fling them out.
+// Copies made by a crack must have the depth of their originals, so that contact does not throw them out.
 TEST(StartDepth, PassesOnToCopies) {
     BreakableShell sheet = sunk(1e-3 + half);
     const Index before = static_cast<Index>(sheet.mechanics().mass.size());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What artists have crosses itself. Such a sheet must move as if it did not see itself there, without energy
-// from nowhere, and collide again once it is apart.
+// Artists' meshes intersect themselves. Such a sheet must move without contact there, keep its energy, and
+// collide again once it is apart.
 #include "fracture/start_exemptions.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ BreakableShell exempt(const std::vector<SheetInput>& inputs) {
     return sheets;
 }
 
-/// Two squares that cross at right angles, the second one so deep (m), to move by `velocity`.
+/// Two squares that cross at right angles, the second one `deep` m below the first, to move by `velocity`.
 std::vector<SheetInput> crossing_squares(const Vector3d& velocity, double deep = 0.53) {
     std::vector<SheetInput> inputs{tilted_square(0, {0, 0, 0}, 0.25),
                                    tilted_square(90, {0.1, 0.43, -deep}, 0.25)};
@@ -46,7 +46,7 @@ TEST(StartExemptions, NothingOverlapsThatIsExempt) {
     EXPECT_TRUE(start_overlaps(exempt(near)).empty());
 }
 
-// Forces between sheets that cross have no right direction: any of them would be energy from nowhere.
+// Contact forces between intersecting sheets have no right direction: any of them would add energy.
 TEST(StartExemptions, SheetsThatCrossRestWhereTheyAre) {
     Simulation simulation(exempt(crossing_squares({0, 0, 0})), weightless(1e-3));
     const Positions start = simulation.shell().mechanics().position;
@@ -72,8 +72,8 @@ TEST(StartExemptions, TheyPartAndAreSeenFromThenOn) {
     EXPECT_TRUE(start_overlaps(simulation.shell()).empty());
 }
 
-// Where neighbours that were apart would have to pass each other, sheets that cross are stuck, as the contact
-// of what was apart promises: stopped, not flung.
+// Where neighbours that were apart would have to pass each other, intersecting sheets must be stopped by the
+// contact of these neighbours, and not thrown.
 TEST(StartExemptions, TheirNeighboursStopThem) {
     Simulation simulation(exempt(crossing_squares({0, 0, 2})), weightless(1e-2));
     const double energy = 0.5 * 1000 * sheet_thickness * 2 * 2;
@@ -86,7 +86,7 @@ TEST(StartExemptions, TheirNeighboursStopThem) {
     EXPECT_LT(std::abs(report.unexplained), 1e-6 * energy);
 }
 
-// Too near is not across: sheets laid on each other too deep must carry each other at that depth.
+// Sheets that overlap without intersecting must carry each other at their initial distance.
 TEST(StartExemptions, WhatIsTooNearIsPushedBackWhereItWas) {
     const double apart = 0.6 * sheet_thickness;
     std::vector<SheetInput> inputs{tilted_square(0, {0, 0, 0}, 0.25),
@@ -107,7 +107,7 @@ TEST(StartExemptions, WhatIsTooNearIsPushedBackWhereItWas) {
     EXPECT_GT(report.linear_momentum.z(), 0);
 }
 
-// A crack through an exempt place must not make what crosses there collide.
+// A crack through an exempt place must not make intersecting faces collide.
 TEST(StartExemptions, CopiesOfACrackAreExemptToo) {
     BreakableShell sheets = exempt(crossing_squares({0, 0, 0}));
     const std::size_t before = sheets.exempt_pairs();

@@ -19,7 +19,7 @@ TEST(StartOverlaps, NoneWhereSheetsAreAThicknessApart) {
 }
 
 // A sheet through the middle of large triangles, far from all their vertices and edges: distances alone would
-// not see it.
+// miss it.
 TEST(StartOverlaps, FindsFacesThatCrossFarFromTheirVertices) {
     const auto found =
         start_overlaps(BreakableShell({tilted_square(0, {0, 0, 0}), tilted_square(90, {0.1, 0.4, -0.5})}));
@@ -44,8 +44,8 @@ TEST(StartOverlaps, FindsFacesThatAreTooNearWithTheirDistance) {
     for (std::size_t i = 1; i < found.size(); ++i) EXPECT_LT(found[i - 1].faces, found[i].faces);
 }
 
-// Patches of one file that were not joined lie on each other at their seam; that must not keep real meshes
-// from being run.
+// Patches of one file that were not joined coincide at their seam; that must not keep real meshes from being
+// run.
 TEST(StartOverlaps, NoneAtASeamThatIsNotJoined) {
     SheetInput both = tilted_square(0, {0, 0, 0});
     both.mesh.join(tilted_square(0, {1, 0, 0}).mesh);

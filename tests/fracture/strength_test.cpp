@@ -36,7 +36,7 @@ TEST(Strength, TellsTheRangeOfItsFactorsAndHowManyNeverFail) {
     EXPECT_FALSE(factor_range({}));
 }
 
-// An edge at w to the axis is pulled at 90 degrees to itself. Hankinson's formula between the axes.
+// An edge at angle w to the axis is pulled perpendicular to itself. Hankinson's formula between the axes.
 TEST(Strength, DependsOnTheDirectionOfThePull) {
     Strength strength;
     strength.along = 4;

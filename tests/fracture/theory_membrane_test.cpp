@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the membrane's model does to thin sheets that bend, beside theory: with flat triangles they lock, with
-// arcs they do not. The tables in core/membrane/README.md are printed here.
+// Membrane models in bent thin sheets against theory: flat triangles lock, arcs do not. Prints the tables of
+// core/membrane/README.md.
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
@@ -29,13 +29,13 @@ StepperOptions coupled_options(MembraneModel membrane) {
     return options;
 }
 
-/// Where the point p of a flat sheet is when it is rolled about an axis along y, below it.
+/// Position of the point p of a flat sheet that is rolled about an axis along y, below it.
 Vector3d rolled_up(const Vector3d& p, double radius) {
     return {radius * std::sin(p.x() / radius), p.y(), radius * (std::cos(p.x() / radius) - 1)};
 }
 
-/// A rectangle as irregular as meshes from elsewhere are: a Delaunay mesh whose inner vertices are moved by
-/// up to 0.3 edges along each axis.
+/// Rectangle as irregular as meshes from elsewhere: a Delaunay mesh whose inner vertices are moved by up to
+/// 0.3 edges along each axis.
 Mesh uneven_rectangle(double width, double height, double edge) {
     Mesh mesh = generate_rectangle(width, height, {edge, Layout::delaunay, 1});
     test::Random random(1);
@@ -49,9 +49,8 @@ Mesh uneven_rectangle(double width, double height, double edge) {
     return mesh;
 }
 
-/// A strip of length 12, width 4 and rigidity 1, rolled into a ring whose ends are held together: the error,
-/// in
-/// %, of the end moments (by Clapeyron's theorem, from the energy of bending and stretching).
+/// Error, %, of the end moments of a strip of length 12, width 4 and rigidity 1 that is rolled into a ring
+/// with its ends held together (by Clapeyron's theorem, from the energy of bending and stretching).
 double ring_error(double thickness, double edge, MembraneModel membrane) {
     constexpr double length = 12, width = 4, turn = 2 * std::numbers::pi;
     SheetInput input;
@@ -64,7 +63,8 @@ double ring_error(double thickness, double edge, MembraneModel membrane) {
     const auto is_end = [](const Vector3d& p) { return std::abs(p.x() - length / 2) > length / 2 - 1e-9; };
     StepperOptions options = coupled_options(membrane);
     options.shell.mirrors = test::clamp(sheet, test::select(sheet, is_end), 1);
-    for (MirrorHinge& hinge : options.shell.mirrors)  // after the turn the tangent is the same, the place not
+    for (MirrorHinge& hinge :
+         options.shell.mirrors)  // after the turn the tangent is the same, the place differs
         hinge.offset = hinge.normal.dot(Vector3d(sheet.position.col(edge_and_apex(sheet, hinge.side)[0])));
     options.step = 1000;
     test::settle(sheet, options, 8);
@@ -74,8 +74,8 @@ double ring_error(double thickness, double edge, MembraneModel membrane) {
     return 100 * (energy / (0.5 * width * turn * turn / length) - 1);
 }
 
-// Triangles of constant strain take chords for fibres: sides in different directions are shortened by
-// different amounts, which irregular meshes cannot give way to.
+// Triangles of constant strain take chords for fibres: sides in different directions shorten differently,
+// which irregular meshes cannot accommodate.
 TEST(TheoryMembrane, StripRolledIntoARing) {
     struct Case {
         double thickness, edge, flat_error;
@@ -92,7 +92,7 @@ TEST(TheoryMembrane, StripRolledIntoARing) {
     }
 }
 
-/// An eighth of a cylinder with free ends that is pinched by two opposite forces at half its length: radius
+/// Eighth of a cylinder with free ends that is pinched by two opposite forces at half its length: radius
 /// 4.953, length 10.35, uneven meshes with `edges` edges around the quarter.
 class PinchedCylinder {
   public:
@@ -101,7 +101,7 @@ class PinchedCylinder {
         hold_on_planes();
         options.step = 1e3;
         options.tolerance = 1e-10;
-        // Of the force on the whole cylinder, the eighth at its corner carries a quarter.
+        // The eighth at its corner carries a quarter of the force on the whole cylinder.
         load.dead = point_forces(sheet.mechanics(), std::array{top()},
                                  Vector3d(0, 0, -force / 4 * std::pow(thickness / 0.01548, 3)));
         options.shell.loads = {load};
@@ -114,7 +114,7 @@ class PinchedCylinder {
                (rigidity * 2 * half_length);
     }
 
-    /// Under a force that grows with the cube of the thickness.
+    /// Deflection, m, under a force that grows with the cube of the thickness.
     double deflection() {
         Shell& shell = sheet.mechanics();
         ImplicitStepper stepper(shell, options);
@@ -147,12 +147,12 @@ class PinchedCylinder {
             const Vector3d at = rolled_up({p.x(), p.y(), 0}, radius);
             input.mesh.point(v) = Point(at.x(), at.y(), at.z() + radius);
         }
-        // So light that a step's inertia is nothing.
+        // so light that inertia in a step is negligible
         input.material = {0.01, thickness, young, poisson};
         return BreakableShell({input});
     }
 
-    /// The corner at the top of the cylinder, half way between its ends.
+    /// Corner at the top of the cylinder, half way between its ends.
     Index top() const {
         Index best = 0;
         const Positions& rest = sheet.mechanics().rest;
@@ -182,8 +182,8 @@ class PinchedCylinder {
     Load load;
 };
 
-// Bent without stretching, like a ring as wide: (pi / 8 - 1 / pi) P R^3 / (D L) under each force. What is
-// more is the anticlastic bending near the free ends, as far as the square root of R t.
+// Bent without stretching, like a ring as wide: (pi / 8 - 1 / pi) P R^3 / (D L) under each force. The excess
+// is the anticlastic bending near the free ends, within a distance of the square root of R t.
 TEST(TheoryMembrane, ThinCylinderPinched) {
     for (const double thickness : {0.01548, 0.001548})
         for (const int edges : {8, 16, 32}) {
@@ -202,8 +202,8 @@ TEST(TheoryMembrane, ThinCylinderPinched) {
         }
 }
 
-/// Compression, in parts of Euler's, at which a flat strip of length 1 between guided ends buckles, with
-/// `edges` edges along it.
+/// Compression over Euler's at which a flat strip of length 1 between guided ends buckles, with `edges` edges
+/// along it.
 double buckling_factor(int edges, MembraneModel membrane) {
     constexpr double thickness = 0.01, width = 0.25;
     BreakableShell plate = test::flat_plate(1, width, 1.0 / edges, test::unit_plate(0, thickness));
@@ -231,13 +231,13 @@ double buckling_factor(int edges, MembraneModel membrane) {
     return low;
 }
 
-// Under compression arcs bow. The load at which a strip buckles must be Euler's in the limit, from coarse
-// meshes that are too weak by what bending errs.
+// Under compression arcs bow. The buckling load must converge to Euler's; on coarse meshes it is too small by
+// the error of bending.
 TEST(TheoryMembrane, CompressedStripBuckles) {
     for (const int edges : {4, 8, 16, 32}) {
         const double flat = buckling_factor(edges, constant_strain), arcs = buckling_factor(edges, arc);
         std::printf("buckling, %2d edges: constant-strain %.4f, arc %.4f of Euler's\n", edges, flat, arcs);
-        // An arc has all of the geometric stiffness; chords lack a twelfth of the squared angle of an edge.
+        // Arcs have all of the geometric stiffness; chords lack a twelfth of the squared angle of an edge.
         const double angle = std::numbers::pi / edges;
         EXPECT_NEAR(flat / arcs - 1, angle * angle / 12, 0.25 * angle * angle / 12);
         EXPECT_NEAR(arcs, 1, 2.5 * angle * angle / 12);
@@ -271,8 +271,7 @@ double crushed_energy(int edges, MembraneModel membrane) {
     return bending + membrane_energy;
 }
 
-// Arcs that are pressed may bow; were that for nothing, a crushed sheet would lose its energy on coarse
-// meshes.
+// Compressed arcs may bow; if that cost no energy, a crushed sheet would lose its energy on coarse meshes.
 TEST(TheoryMembrane, CrushedSquareKeepsItsEnergy) {
     const double fine = crushed_energy(20, constant_strain);
     for (const int edges : {8, 12})

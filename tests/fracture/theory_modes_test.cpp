@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Natural frequencies beside plate theory. The plain hinge is known to be off: its bounds are what was
-// measured plus a little, and fail when the model gets worse, or better than its documentation says. Coupled
-// hinges converge: what is left is mostly the lumped mass.
+// Natural frequencies against plate theory. The plain hinge is known to be inexact: its bounds are the
+// measured errors plus a margin, and fail when the model gets worse, or better than its documentation claims.
+// Coupled hinges converge: their error is mostly due to the lumped mass.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace sherd {
 namespace {
 
-/// The `count` slowest modes at rest, of which no rigid motion may be missed.
+/// The `count` slowest modes at rest; checks the number of rigid motions.
 Vibration modes_of(const Shell& sheet, BendingModel model, const std::vector<MirrorHinge>& mirrors, int count,
                    Index rigid) {
     Vibration found = vibration(sheet, {.bending = {model}, .mirrors = mirrors}, count);
@@ -52,13 +52,13 @@ TEST(TheoryModes, CantileverStrip) {
             EXPECT_NEAR(errors[bending_mode], 0, 16.0 / edges + 1.5) << bending_mode;
         EXPECT_GT(errors[3], 15) << "the twisting mode is known to be stiff: correct core/bending/README.md";
         EXPECT_LT(errors[3], 55);
-        // The wall keeps the strip from narrowing, which beam theory knows nothing of.
+        // The wall keeps the strip from narrowing, which beam theory neglects.
         for (const double error : errors_of(BendingModel::coupled, "coupled"))
             EXPECT_NEAR(error, 1, 64.0 / (edges * edges) + 1);
     }
 }
 
-/// Squares of side 1 whose boundary is pinned, or clamped, beside omega a^2 sqrt(rho t / D).
+/// Compares squares of side 1 whose boundary is pinned, or clamped, with theory: omega a^2 sqrt(rho t / D).
 void expect_square(bool clamped, const std::vector<double>& theory, double bound_of_coupled,
                    double bound_of_cubic) {
     for (const int edges : {10, 20, 40}) {
@@ -94,8 +94,8 @@ TEST(TheoryModes, ClampedSquarePlate) {
     expect_square(true, {35.985, 73.394, 73.394, 108.217, 131.581, 132.205}, 1600, 800);
 }
 
-// A supported plate of two stiffnesses, along its axes: omega^2 = pi^4 (m^4 + 2 H m^2 n^2 + D2 n^4) of
-// D1 = 1, with Poisson's ratio 0.
+// A supported plate of two stiffnesses, along its axes: omega^2 = pi^4 (m^4 + 2 H m^2 n^2 + D2 n^4) of D1 =
+// 1, with Poisson's ratio 0.
 TEST(TheoryModes, OrthotropicSquarePlate) {
     const double across = 0.2, shear = 0.16;
     Material material = test::unit_plate(0, 0.01);
@@ -123,7 +123,7 @@ TEST(TheoryModes, OrthotropicSquarePlate) {
 }
 
 // A sheet that is stretched on a frame is a drum: omega^2 = S (pi / a)^2 (m^2 + n^2) / rho, with the second
-// Piola-Kirchhoff stress S and the side a at rest; what bending adds is below 0.01 %.
+// Piola-Kirchhoff stress S and the side a at rest; bending adds less than 0.01 %.
 TEST(TheoryModes, StretchedMembrane) {
     const double stretch = 1.01, poisson = 0.3, young = 1e6, density = 1000;
     BreakableShell plate = test::flat_plate(1, 1, 1.0 / 30, {density, 1e-4, young, poisson});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A moment beside beam theory, of plain hinges and of coupled ones. The bounds are what was measured plus a
-// little. Deflections are cases of `sherd bench shells`.
+// End moment against beam theory, with plain and coupled hinges. The bounds are the measured errors plus a
+// margin. Deflections are cases of `sherd bench shells`.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -46,7 +46,7 @@ TEST_P(TheoryStatics, StripRolledByEndMomentsIntoACircle) {
             sheet, test::select(sheet, [](const Vector3d& p) { return std::abs(p.x() - 0.5) > 0.5 - 1e-9; }),
             sheet.hinges.front().stiffness);
         for (MirrorHinge& hinge :
-             options.shell.mirrors)  // after the turn the tangent is the same, the place not
+             options.shell.mirrors)  // after the turn the tangent is the same, the place differs
             hinge.offset =
                 hinge.normal.dot(Vector3d(sheet.position.col(edge_and_apex(sheet, hinge.side)[0])));
         options.step = 2;

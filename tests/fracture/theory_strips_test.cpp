@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Strips cut from an orthotropic sheet at an angle to its first axis. One stiffness per hinge blurs
-// directions, so that the numbers off the axes are wrong; what is held here is the trend and the ends.
-// Coupled hinges are held to the theory.
+// directions, so that its values off the axes are wrong; the test requires the trend and the ends. Coupled
+// hinges must follow the theory.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double young1 = 0.2, shear = 0.16;  // over Y0; Poisson's ratios are 0
 
-/// Of rigidity 1 N m along the first axis and 1 kg/m^2.
+/// Material of rigidity 1 N m along the first axis and 1 kg/m^2.
 Material wooden_plate() {
     Material material = test::unit_plate(0, 0.01);
     material.young1 = young1 * material.young;
@@ -22,10 +22,10 @@ Material wooden_plate() {
     return material;
 }
 
-/// Rigidities of a strip at the angle w, over that of one along the first axis.
+/// Rigidities of a strip at the angle w, over that of a strip along the first axis.
 struct Rigidities {
-    double free;      ///< 1 / S11: narrow, its sides may curl and it may twist
-    double cylinder;  ///< D11: forced into a cylinder
+    double free;      ///< 1 / S11: narrow, free to curl and twist
+    double cylinder;  ///< D11: bent to a cylinder
     double paper;     ///< eq. 8
 };
 Rigidities theory(double w) {
@@ -60,7 +60,7 @@ double measured_rigidity(double w, unsigned seed, BendingModel model = BendingMo
     return weight / 8 / (tip / count);
 }
 
-// The stiff direction must be along the axis that the input names, and the rigidity fall from there.
+// The stiff direction must be along the axis of the input, and the rigidity fall from there.
 TEST(TheoryStrips, RigidityFallsFromTheStiffAxisToTheSoftOne) {
     std::printf("strip: angle, measured (mean, least, most of 4 meshes), 1/S11, D11, eq. 8\n");
     std::vector<double> measured;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tips of cracks beside theory, on three meshes of each size. The bounds are what was measured plus a little;
+// Crack tips against theory, on three meshes of each size. The bounds are the measured errors plus a margin;
 // the table is in core/tips/README.md.
 #include <gtest/gtest.h>
 
@@ -21,12 +21,12 @@ const PlaneStress& sheet_at_tips() {
     return material;
 }
 
-/// Values that should all be the same, and are printed as a mean with its deviation.
+/// Values that should be equal, printed as a mean with its deviation.
 class Row {
   public:
     Row(std::string what, int size) : what(std::move(what)), size(size) {}
     void add(double value) { values.push_back(value); }
-    /// Prints them, and holds each to `expected` by `bound`.
+    /// Prints the values, and expects each to be `expected` within `bound`.
     void expect(double expected, double bound) const {
         const auto [mean, deviation] = test::spread(values);
         std::printf("%-34s h/a = 1/%-3d %8.4f +- %.4f\n", what.c_str(), size, mean, deviation);
@@ -52,7 +52,7 @@ void on_three_meshes(double edge_length, MakeSheet make, Visit visit) {
     for (unsigned seed = 1; seed <= 3; ++seed) visit(make(edge_length, seed));
 }
 
-/// One over the edge length in half cracks.
+/// Parameter: edges in half a crack length.
 class TheoryTips : public testing::TestWithParam<int> {
   protected:
     static constexpr double stress = 1e-5;  // over Young's modulus
@@ -77,7 +77,7 @@ class TheoryTips : public testing::TestWithParam<int> {
 INSTANTIATE_TEST_SUITE_P(Sizes, TheoryTips, testing::Values(5, 10));
 INSTANTIATE_TEST_SUITE_P(LongSizes, TheoryTips, testing::Values(20));
 
-// What a crack must have before it grows.
+// Release rate of a stretched sheet, which decides whether a crack propagates.
 TEST_P(TheoryTips, StretchedSheetReleasesItsEnergy) {
     std::vector<Row> rows = rows_of_rings("sqrt(G), membrane, ", GetParam());
     on_meshes(test::cracked_sheet, [&](const test::CrackedSheet& sheet) {
@@ -115,7 +115,7 @@ TEST_P(TheoryTips, BentPlateReleasesItsEnergyAndHasItsFactors) {
     turn.expect(0, 4);
 }
 
-// Where a crack goes when it is pulled at an angle.
+// Directions of cracks that are pulled at an angle.
 TEST_P(TheoryTips, StretchedSheetHasItsFactorsAndDirections) {
     std::map<int, std::vector<Row>> rows;
     for (const int degrees : {0, 30, 60})
@@ -143,8 +143,8 @@ TEST_P(TheoryTips, StretchedSheetHasItsFactorsAndDirections) {
     }
 }
 
-// Whatever edges the crack has taken: what is released does not depend on how many rings are asked, and is
-// that of a straight crack between the same tips.
+// Along whatever edges the crack runs, its release rate must not depend on the number of rings, and be that
+// of a straight crack between the same tips.
 TEST_P(TheoryTips, ZigzagCrackReleasesWhatAStraightOneDoes) {
     std::vector<Row> rows = rows_of_rings("sqrt(G), zigzag, ", GetParam());
     Row intensity("K_I, zigzag", GetParam());
@@ -165,14 +165,14 @@ TEST_P(TheoryTips, ZigzagCrackReleasesWhatAStraightOneDoes) {
     intensity.expect(1, 0.5);
 }
 
-/// A sheet that is open from its left side to its centre.
+/// Sheet that is open from its left side to its centre.
 test::CrackedSheet half_slit_sheet(double edge_length, unsigned seed) {
     return test::slit_sheet(edge_length, seed, {-test::half_width, 0});
 }
 
-// The second mode of plates, of which an infinite one with an open crack has none.
+// Second mode of plates, which an infinite one with an open crack does not have.
 TEST(TheoryTipsOfOutlines, PlateHasTheFactorsOfItsOutline) {
-    constexpr int size = 5;  // to the outline, 6: there is no other length
+    constexpr int size = 5;  // to the outline, 6: the only length
     constexpr double edge_length = 1.0 / size;
     const double t = test::cracked_material.thickness, unit = 1e-5 * t;
     for (const auto& [first, second] : {std::pair(1, 0), {0, 1}, {1, 1}}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A run tells which obstacles nothing touched: one that was touched in any way must not be among them.
+// A run lists the obstacles that nothing touched: an obstacle touched in any way must not be among them.
 #include <gtest/gtest.h>
 
 #include "fracture/simulation.h"
@@ -9,7 +9,7 @@
 namespace sherd::test {
 namespace {
 
-/// A disc of rubber, 10 cm across, 3 mm thick, that comes down at 2 m/s from z = 2 mm.
+/// Disc of rubber, 10 cm across, 3 mm thick, that comes down at 2 m/s from z = 2 mm.
 SheetInput falling_disc() {
     SheetInput sheet;
     sheet.mesh = generate_disc(0.05, {0.02, Layout::delaunay, 3});
@@ -33,7 +33,7 @@ using Flags = std::vector<char>;
 
 TEST(Touch, ByVerticesAndByFacesIsOfTheObstacleThatItIsOf) {
     SimulationOptions options;
-    const double thin = 5e-4;  // narrower than a face is wide: no vertex comes near
+    const double thin = 5e-4;  // narrower than a face: no vertex comes near
     options.stepper.contact.obstacles = {
         floor(), solid_box(Vector3d(0.5, 0, 0), Vector3d(0.1, 0.1, 0.1)),
         solid_box(Vector3d(0.004, 0.003, -0.011), Vector3d(thin, thin, 0.01))};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// If one of these fails, a sheet that is thick here and thin there weighs, bends or breaks as another one.
+// Otherwise a sheet of uneven thickness weighs, bends or fractures as one of another thickness.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -75,7 +75,7 @@ TEST(UnevenSheet, StressIsForceOverTheLocalThickness) {
     }
 }
 
-// A crack that moves vertices and cuts faces goes through the same sheet, thick and thin in the same places.
+// A crack that moves vertices and cuts faces must keep the thickness of the sheet at each place.
 RC_GTEST_PROP(UnevenSheet, IsAsThickAsBeforeInEachPlaceWhateverCracks, ()) {
     const unsigned shape = *rc::gen::elementOf(std::vector<unsigned>{0, 3, 4}),
                    seed = 2 * *rc::gen::inRange(0u, 1u << 29) + 1;

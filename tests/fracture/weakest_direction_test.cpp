@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Were the direction of growth that of the largest tension in a sheet like wood, cracks would run across the
-// grain.
+// If cracks propagated in the direction of the largest tension in a sheet like wood, they would run across
+// the grain.
 #include "fracture/weakest_direction.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180, along = 1e6, across = 4e6;
 
-/// A square whose first material axis is turned by `axis` (rad) from x; K_Ic of pulls along and across it.
+/// Square whose first material axis is turned by `axis` (rad) from x; K_Ic of pulls along and across it.
 BreakableShell square(double axis, double pulled_along, double pulled_across) {
     SheetInput input;
     input.mesh = generate_rectangle(1, 1, {0.1, Layout::delaunay, 1});
@@ -36,7 +36,7 @@ GrowingTip middle_tip(const BreakableShell& sheet) {
     return tip;
 }
 
-/// The kink that a search over G / G_c with the toughness of the material finds, rad.
+/// Kink, rad, by a search over G / G_c with the toughness of the material.
 double expected_kink(const Toughness& toughness, double axis) {
     double best = 0, largest = 0;
     for (double kink = -75 * degree; kink <= 75 * degree; kink += 0.05 * degree) {
@@ -71,7 +71,8 @@ TEST(WeakestDirection, LeavesASheetWithoutDirectionsAlone) {
     EXPECT_EQ(load.intensity, 2e6);
 }
 
-// A tip that runs by stress keeps to its largest turn: else the grain would break the path into saw teeth.
+// A tip that is driven by stress keeps to its largest turn: otherwise the grain would break the path into saw
+// teeth.
 TEST(WeakestDirection, ATipThatRunsTurnsSlowly) {
     const BreakableShell sheet = square(45 * degree, along, across);
     GrowingTip tip = middle_tip(sheet);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Metal that is bent too far keeps its shape, and no sheet here does: were that not told, a dented lid would
-// be taken for a sound one.
+// Metal that is bent too far keeps its shape: without the yield ratio in the report a dented lid would be
+// taken for a sound one.
 #include "fracture/yielding.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ TEST(Yielding, IsTheWorseSurfaceOfTheWorstFaceOverTheStressOfItsSheet) {
     EXPECT_NEAR(peak.ratio, stress / 2e7, 1e-9);
     EXPECT_EQ(peak.place.sheet, 2);
     EXPECT_NEAR(peak.place.rest.z(), 2, 1e-12);
-    // The first sheet is alone beyond its yield stress, in one face.
+    // The first sheet alone is beyond its yield stress, in one face.
     const Eigen::Index face = 3;
     strains.membrane.col(face) *= 100;
     const YieldPeak other = yield_peak(shell, strains);
@@ -56,7 +56,7 @@ TEST(Yielding, IsTheWorseSurfaceOfTheWorstFaceOverTheStressOfItsSheet) {
     EXPECT_EQ(yield_peak(BreakableShell({strip(0)}), strains).ratio, 0) << "nothing there yields";
 }
 
-// Both kinds of steps tell it.
+// Implicit and explicit steps must report it.
 TEST(Yielding, IsInTheReportOfEachStep) {
     for (const Scheme scheme : {Scheme::implicit_euler, Scheme::explicit_differences}) {
         SheetInput input = strip(1e6);

@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs the frozen scenes with two programs and says whether the second one computes what the first one did.
+"""Runs the frozen scenes with two programs and tells whether the second program reproduces the results of the first.
 
     tests/frozen/compare.py OLD_SHERD NEW_SHERD [SCENE...] [--steps N] [--keep FOLDER]
 
-SCENE is the beginning of a name (plate_drop, figure_6). --steps: only so many steps of each. Of each scene and variant all
-datasets are compared bit for bit; new ones, which the old program does not write, are named and do not count. Where bits
-differ, a run that breaks nothing must agree to 1e-9 of its size; of a run that breaks, the number of fragments, the length
-of the cracks and the energies at the end must lie within what the old program gives with three kernels of OpenBLAS and five
-seeds. Exit code 1 when a run does neither.
+SCENE is the beginning of a name (plate_drop, figure_6). --steps: only the first N steps of each. For each scene and
+variant all datasets are compared bit by bit; new datasets, which the old program does not write, are listed and
+ignored. Where bits differ, a run that breaks nothing must agree to 1e-9 of each quantity's size; if a run breaks
+something, the number of fragments, the length of the cracks and the energies at the end must lie within the range of
+the old program's results with three kernels of OpenBLAS and five seeds. Exit code 1: a run does not agree.
 """
 import argparse
 import concurrent.futures
@@ -24,13 +24,13 @@ import h5py
 import numpy as np
 
 HERE = pathlib.Path(__file__).parent
-TOLERANCE = 1e-9  # of a quantity's size
+TOLERANCE = 1e-9  # largest difference over the size of the quantity
 KERNELS = ("Prescott", "Haswell", "SkylakeX")
 SEEDS = range(101, 106)
 
 
 class Case:
-    """A frozen scene in one of its variants; all that is run of it."""
+    """A frozen scene in one of its variants, which run() runs."""
 
     def __init__(self, scene, variant, steps):
         self.scene = scene
@@ -54,7 +54,7 @@ class Case:
 
 
 def cases(beginnings, steps):
-    """The frozen scenes whose names begin so, with each of their variants."""
+    """Yields the frozen scenes with these beginnings of names, in each of their variants."""
     for scene in sorted(HERE.glob("*.toml")):
         if beginnings and not any(scene.stem.startswith(beginning) for beginning in beginnings):
             continue
@@ -65,7 +65,7 @@ def cases(beginnings, steps):
 
 
 def datasets(recording):
-    """All datasets of a recording by name."""
+    """Returns all datasets of a recording by name."""
     found = {}
     with h5py.File(recording) as file:
         file.visititems(lambda name, item: found.update({name: np.asarray(item[()])}) if isinstance(item, h5py.Dataset) else None)
@@ -73,7 +73,7 @@ def datasets(recording):
 
 
 def new_datasets(one, other):
-    """Those that only the second recording has, in words: those of all frames as one, a whole group by its name."""
+    """Lists the datasets that only the second recording has, with frames and new groups summed up, as text."""
     old_groups = {name.rpartition("/")[0] for name in one}
     new = {name if group in old_groups else f"{group}/*"
            for name in other.keys() - one.keys() for group in [name.rpartition("/")[0]]}
@@ -88,7 +88,7 @@ def same_bits(one, other):
 
 
 def largest_difference(one, other):
-    """Over the size of what differs: the largest magnitude that this quantity has in all of the run."""
+    """Returns the largest difference over the quantity's largest magnitude in the run, and the name of the dataset."""
     sizes, worst = {}, (0.0, "")
     for name, values in one.items():
         if values.dtype.kind == "f" and values.size:
@@ -96,7 +96,7 @@ def largest_difference(one, other):
             sizes[quantity] = max(sizes.get(quantity, 0), np.nanmax(np.abs(values)))
     energies = [f"steps/{kind}" for kind in ("kinetic", "bending", "membrane", "gravity", "contact")]
     scale = max((sizes[name] for name in energies if name in sizes), default=0)
-    sizes.update({name: scale for name in energies})  # one beside the other: each alone may be nothing but round-off
+    sizes.update({name: scale for name in energies})  # a common scale, because a single energy may be all round-off
     for name, values in one.items():
         if values.dtype.kind != "f" or not values.size:
             continue
@@ -109,7 +109,7 @@ def largest_difference(one, other):
 
 
 def statistics(recording):
-    """What is compared of runs that break: fragments, length of cracks (m), energies (J) at the end."""
+    """Returns fragments, length of cracks (m) and energies (J) at the end, which are compared for runs that break."""
     with h5py.File(recording) as file:
         steps, events = file["steps"], file["events/failure"]
         last = file["frames"][sorted(file["frames"])[-1]]
@@ -121,7 +121,7 @@ def statistics(recording):
 
 
 def outside(case, old, new, folder, pool):
-    """Statistics of `new` that lie outside of the old program's spread, in words; none: an empty text."""
+    """Returns the statistics of `new` outside the range of the old program's, as text; empty if there are none."""
     runs = {pool.submit(case.run, old, folder / f"{case.name}-{kernel}-{seed}.h5", kernel, seed)
             for kernel in KERNELS for seed in SEEDS}
     runs |= {pool.submit(case.run, old, folder / f"{case.name}-{kernel}.h5", kernel) for kernel in KERNELS}
@@ -135,7 +135,7 @@ def outside(case, old, new, folder, pool):
 
 
 def compare(case, old_program, new_program, folder, pool):
-    """What is to be said of the two runs, and whether that is good."""
+    """Returns the result of the comparison as text, and whether the runs agree."""
     runs = [pool.submit(case.run, program, folder / f"{case.name}-{age}.h5")
             for program, age in ((old_program, "old"), (new_program, "new"))]
     old, new = (run.result() for run in runs)

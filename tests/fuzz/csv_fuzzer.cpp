@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is read and written again says the same.
+// Rows that are read, written and read again must be equal.
 #include <cstdlib>
 
 #include "app/sweep/csv.h"

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the fuzzers of tests/fuzzing begin with: `seeds(input)` and `words(input)`."""
+"""Initial inputs and dictionaries of the fuzzers of tests/fuzzing: `seeds(input)` and `words(input)`."""
 import pathlib
 import re
 import struct
 import zlib
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-# The sources whose words an input is made of.
+# Sources whose string literals are the words of an input's dictionary.
 SOURCES = {"obj": ["meshops/parse_obj.cpp", "meshops/material_library.cpp"], "off": ["meshops/parse_off.cpp"],
            "ply": ["meshops/parse_ply.cpp", "meshops/ply_header.cpp"], "stl": ["meshops/parse_stl.cpp"],
            "scene": ["app/scene/read", "app/scene/toml"], "cache": ["app/files/point_cache.cpp"],
@@ -24,7 +24,7 @@ def obj():
            "usemtl clay\nf 1/1 2/2 3/3\nusemtl none\nf -4 -2 \\\n -1\0newmtl clay\nKd 0.8 0.2 0.2\n"
            "map_Kd -s 1 1 -o 0 clay.png\n"
            "newmtl none\nillum 2\n").encode()
-    # A box with a lid of one polygon, a fin on an edge, a point of two fans, and a face twice.
+    # A box whose sides are polygons, with a fin on an edge, a vertex of two fans, and repeated faces.
     yield (b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nv 2 2 2\nv 3 2 2\nv 2 .5 0\n"
            b"f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\nf 2 3 11\nf 7 9 10\nf 1 2 6\n"
            b"f 2 3 11 3\nf 1 1 2\n")
@@ -60,7 +60,7 @@ def stl():
 
 
 def cache():
-    """Two points in two samples."""
+    """Yields point caches with two points in two samples."""
     points = [0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 1]
     yield b"POINTCACHE2\0" + struct.pack("<iiffi12f", 1, 2, 1, 1, 2, *points)
     yield struct.pack(">ii2f12f", 2, 2, 0, 0.5, *points)
@@ -76,7 +76,7 @@ def block(name, content):
 
 
 def png():
-    """2 x 3 pixels of every kind and depth, interlaced and not."""
+    """Yields pictures of 2 x 3 pixels of every colour type and depth, and an interlaced pixel."""
     channels = {0: 1, 2: 3, 3: 1, 4: 2, 6: 4}
     for colour, depths in {0: (1, 2, 4, 8, 16), 2: (8, 16), 3: (1, 2, 4, 8), 4: (8, 16), 6: (8, 16)}.items():
         for depth in depths:
@@ -84,7 +84,7 @@ def png():
             yield (b"\x89PNG\r\n\x1a\n" + block(b"IHDR", struct.pack(">IIBBBBB", 2, 3, depth, colour, 0, 0, 0))
                    + (block(b"PLTE", bytes(range(6))) + block(b"tRNS", b"\x10") if colour == 3 else b"")
                    + block(b"IDAT", zlib.compress(3 * row)) + block(b"IEND", b""))
-    # A block that is no pixel and promises a gigabyte.
+    # A block that is not pixels and claims a length of a gigabyte.
     yield (b"\x89PNG\r\n\x1a\n" + block(b"IHDR", struct.pack(">IIBBBBB", 2, 3, 8, 0, 0, 0, 0))
            + struct.pack(">I", 1 << 30) + b"eXIfMM" + bytes(40))
     one = b"\0\1\2\3"
@@ -93,7 +93,7 @@ def png():
 
 
 def scene():
-    """The scenes of the house, with their first variant as the first line."""
+    """Yields the project's scenes, with the name of their first variant as the first line."""
     for file in sorted([*ROOT.glob("scenes/*.toml"), *ROOT.glob("scenes/paper/*.toml"),
                         *ROOT.glob("tests/frozen/*.toml")]):
         text = "\n".join(line for line in file.read_text().splitlines() if not line.lstrip().startswith("#"))
@@ -122,7 +122,7 @@ def seeds(name):
 
 
 def words(name):
-    """What a dictionary of libFuzzer has: the short texts in the sources that read this input, and numbers."""
+    """Returns the words of an input's dictionary: short string literals of the sources that read it, and numbers."""
     found = set(NUMBERS)
     for source in SOURCES[name]:
         path = ROOT / source
@@ -134,5 +134,5 @@ def words(name):
 
 
 def dictionary(name):
-    """The words, in the format of libFuzzer."""
+    """Returns the dictionary of an input in the format of libFuzzer."""
     return "".join('"' + "".join(f"\\x{byte:02x}" for byte in word.encode()) + '"\n' for word in words(name))

@@ -9,7 +9,7 @@
 
 namespace sherd::test {
 
-/// Reads the mesh `file` with the least repair and with all of it. Whatever comes out must be a mesh.
+/// Reads the mesh `file` with the least and with all repair; a result must be a valid mesh.
 inline void fuzz_mesh(const std::filesystem::path& file) {
     for (const bool mends : {false, true})
         read_or_refuse([&] {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands behind the first zero byte is the file of materials, a.mtl.
+// The text after the first zero byte is the file of materials, a.mtl.
 #include "tests/fuzz/mesh_input.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -9,13 +9,13 @@
 
 namespace sherd::test {
 
-/// The folder of this fuzzer, for what is read from files.
+/// Folder of this fuzzer's files.
 inline const TemporaryDirectory& fuzz_folder() {
     static const TemporaryDirectory folder;
     return folder;
 }
 
-/// Reads, and takes the one kind of failure that reading may have: whatever else escapes is a finding.
+/// Reads, and accepts Error as the only kind of failure: any other exception is a finding.
 template <class Read>
 void read_or_refuse(const Read& read) {
     try {

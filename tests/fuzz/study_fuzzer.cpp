@@ -5,7 +5,7 @@
 
 namespace {
 
-/// Studies may make ten million rows, which only takes long.
+/// Whether a study is fast to expand: studies may have ten million rows.
 bool is_small(const sherd::Study& study) {
     double rows = static_cast<double>(study.samples + 1);
     for (const sherd::StudyParameter& parameter : study.parameters)

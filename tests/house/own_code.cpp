@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A plugin of clang-tidy: its checks look at the declarations of this project only. Without it they walk
-// through all that the headers of Eigen, CGAL and OpenVDB declare, once for every source, to report nothing
-// of it.
+// Plugin of clang-tidy that limits its checks to the declarations of this project. Without it they traverse
+// all declarations in the headers of Eigen, CGAL and OpenVDB, once for every source, and report none of them.
 #include <clang/AST/ASTConsumer.h>
 #include <clang/AST/ASTContext.h>
 #include <clang/Frontend/CompilerInstance.h>

@@ -1,24 +1,26 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The rules of the house that a compiler does not know: who includes whom, licence lines, file lengths."""
+"""Checks the project's rules that no compiler checks: includes between folders, licence lines, lengths of files."""
 import pathlib
 import re
 import tempfile
 import unittest
 
 TOP = pathlib.Path(__file__).resolve().parents[2]
-# Floors a folder may include from, besides itself. tests/NAME may use what NAME may, and tests/support.
+# Top folders from which a top folder may include, besides itself. tests/NAME may include what NAME may, and
+# tests/support.
 BELOW = {"meshops": [], "core": [], "fracture": ["core", "meshops"], "app": ["fracture", "core", "meshops"]}
-# Libraries that are kept on one floor.
+# External libraries that a single top folder may include.
 KEPT_ON = {"CGAL": "meshops", "openvdb": "meshops", "suitesparse": "core", "cholmod.h": "core", "Spectra": "core",
            "hdf5.h": "app", "toml++": "app", "CLI": "app"}
-# Floors whose rooms (folders) must not include from each other in a circle.
+# Top folders whose subfolders must not include from each other in a circle.
 WITHOUT_CIRCLES = ("meshops", "core", "fracture", "app")
-# Rooms whose files must not either; a header and the source of its name are one.
+# Folders whose files must not include each other in a circle; a header and its source count as one file.
 FILES_WITHOUT_CIRCLES = ("app/scene",)
-# Rooms that must not include from others, by way of others neither.
+# Folders that must not include from others, not even indirectly.
 APART = {"app/scene/toml": ["app/scene/read", "app/scene/build"], "app/scene/read": ["app/scene/build"],
          "app/recording": ["app/scene", "app/run"], "app/files": ["app/recording", "app/scene"]}
-# What prints so that no failure ends a run; examples are other programs.
+# Calls that print. Only the folders of MAY_PRINT have them: app/words, whose print.h makes no run fail when a stream
+# does, and the examples, which are programs of their own.
 PRINTS = re.compile(r"fmt::print\((?!out,)|std::f?puts|std::f?printf|std::cout|std::cerr|fflush\(stderr\)")
 MAY_PRINT = ("app/words", "app/examples")
 LICENCE = "SPDX-License-Identifier: GPL-3.0-or-later"
@@ -26,7 +28,7 @@ MOST_LINES = 400
 
 
 def sources(top):
-    """Every C++ file, script and CMake file of the house, as paths below top."""
+    """Yields all C++ files, scripts and CMake files of the project, as paths below top."""
     for folder in [*BELOW, "tests", ".ci", "CMakeLists.txt"]:
         files = [top / folder] if (top / folder).is_file() else sorted((top / folder).rglob("*"))
         for file in files:
@@ -36,7 +38,7 @@ def sources(top):
 
 
 def may_include(file, included):
-    """Whether a source may say #include "included"; both are paths below the top folder."""
+    """Returns whether a source may have #include "included"; both are paths below the top folder."""
     tested = file.parts[0] == "tests"
     if tested and (file.parts[1] not in BELOW or included.parts[:2] == ("tests", "support")):
         return included.parts[0] in BELOW or included.parts[0] == "tests"
@@ -70,7 +72,8 @@ def violations_of_streams(file, lines):
 
 
 def included_by(top, folder, name_of):
-    """What the sources below a folder include from below it: for each name, the other names; name_of(file): its name."""
+    """Returns the includes between sources below a folder: for each name, the set of other names that it includes.
+    name_of: function that returns the name for a file, so that several files can have the same."""
     above = {}
     for file in sources(top):
         if not file.is_relative_to(folder) or file.suffix not in (".h", ".cpp"):
@@ -92,7 +95,7 @@ def stem_of(file):
 
 
 def reached_from(above):
-    """For each name, all names that it includes, by way of others too."""
+    """Returns for each name all names that it includes, directly or indirectly."""
     reached = {}
     for name in above:
         reached[name], waiting = set(), [name]
@@ -104,7 +107,7 @@ def reached_from(above):
 
 
 def circles(above):
-    """One line for each two names that include from each other, by way of others too."""
+    """Returns a line for each two names that include from each other, directly or indirectly."""
     reached = reached_from(above)
     return [f"{one} and {other} include from each other, by way of others perhaps"
             for one in sorted(above) for other in sorted(reached[one])
@@ -112,7 +115,7 @@ def circles(above):
 
 
 def not_apart(top):
-    """One line for each room that reaches one that it must not."""
+    """Returns a line for each folder that includes, directly or indirectly, from a folder forbidden by APART."""
     reached = reached_from(included_by(top, "app", room_of))
     return [f"{room}/ must not include from {other}, by way of others neither"
             for room, apart in APART.items() for other in sorted(reached.get(f"{room}/", set()))
@@ -120,7 +123,7 @@ def not_apart(top):
 
 
 def types_of_one_name(top):
-    """One line for each type of a header that another header defines, too: the linker takes one of the two for both."""
+    """Returns a line for each type that two headers define under the same name: the linker would use one for both."""
     defined, found = {}, []
     for file in sources(top):
         if file.suffix != ".h":
@@ -135,7 +138,7 @@ def types_of_one_name(top):
 
 
 def violations(top):
-    """One line for each rule broken below the folder `top`."""
+    """Returns a line for each violation of a rule below the folder `top`."""
     found = []
     for file in sources(top):
         lines = (top / file).read_text().splitlines()
@@ -161,7 +164,7 @@ class House(unittest.TestCase):
         self.assertEqual(violations(TOP), [])
 
     def found_in(self, **files):
-        """What is found in a house of these files; __ in a name stands for /."""
+        """Returns the violations in a project of these files; __ in a name stands for /."""
         with tempfile.TemporaryDirectory() as folder:
             top = pathlib.Path(folder)
             for name, text in {"core__a": "", "meshops__a": "", "fracture__a": "", "app__a": "", **files}.items():

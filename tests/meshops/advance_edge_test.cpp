@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// If one of these fails, a crack's path depends on the mesh, or the mesh goes bad on its way.
+// Otherwise a crack's path depends on the mesh, or the mesh deteriorates along it.
 #include "meshops/advance_edge.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,8 @@ namespace {
 using Eigen::Vector3d;
 using Way = AdvancedEdge::Way;
 
-/// No angle of what a change made is below 20 degrees, or the smallest of the faces that it replaced.
+/// Expects that no angle of the changed faces is below 20 degrees, or the smallest of the faces that they
+/// replace.
 void expect_angles(const TriangleSheet& old, const TriangleSheet& now, const TopologyChange& change) {
     constexpr double round_off = 1e-6;
     double made = 180, replaced = 180;
@@ -29,7 +30,7 @@ void expect_angles(const TriangleSheet& old, const TriangleSheet& now, const Top
     EXPECT_GE(made, std::min(20.0, replaced) - round_off);
 }
 
-/// A path that keeps what it has made, and holds each of its edges against the oracle.
+/// Path whose edges are kept, each of which is compared with the reference.
 class Path {
   public:
     Path(Mesh& mesh, Vertex tip, bool is_flat, bool snap) : mesh(mesh), tip(tip), is_flat(is_flat) {
@@ -41,7 +42,7 @@ class Path {
     }
     Path(const Path&) = delete;
 
-    /// Nothing if the path has come to an end: at the boundary, or at itself.
+    /// Returns nothing if the path has ended: at the boundary, or at itself.
     std::optional<AdvancedEdge> advance(const Vector3d& direction) {
         if (has_ended) return std::nullopt;
         const TriangleSheet old = arrays_of(mesh);
@@ -90,8 +91,8 @@ bool is_near_boundary(const Mesh& mesh, Vertex vertex) {
     return mesh.is_border(vertex) || std::ranges::any_of(around, [&](Vertex v) { return mesh.is_border(v); });
 }
 
-// Only next to the boundary may an edge leave the ray: where the ray meets it at less than 20 degrees, or
-// beside a corner that cannot move. On poor meshes it may where the bound on angles lets nothing else be.
+// An edge may leave the ray only next to the boundary: where the ray meets it at less than 20 degrees, or
+// beside a corner that cannot move; and on poor meshes where the bound on angles allows no other edge.
 RC_GTEST_PROP(AdvanceEdge, RandomPathsKeepSheetAnglesAndCourse, ()) {
     const unsigned shape = *rc::gen::inRange(0u, sheet_shapes), seed = *rc::gen::inRange(0u, 1u << 30);
     Mesh mesh = drawn_sheet(shape, seed);
@@ -117,7 +118,7 @@ RC_GTEST_PROP(AdvanceEdge, RandomPathsKeepSheetAnglesAndCourse, ()) {
     RC_ASSERT(!testing::Test::HasFailure());
 }
 
-// A crack that turns by up to 20 degrees at every step still finds good triangles.
+// A crack that turns by up to 20 degrees at every step must still get good triangles.
 RC_GTEST_PROP(AdvanceEdge, PathsMayTurn, ()) {
     const unsigned seed = *rc::gen::inRange(0u, 1u << 30);
     Mesh mesh = drawn_sheet(0, seed);
@@ -136,7 +137,7 @@ RC_GTEST_PROP(AdvanceEdge, PathsMayTurn, ()) {
     RC_ASSERT(!testing::Test::HasFailure());
 }
 
-// The wanted curve is a great circle: its tangent where the tip is.
+// The prescribed curve is a great circle: the direction is its tangent at the tip.
 TEST(AdvanceEdge, FollowsACurveOnASphere) {
     for (unsigned seed = 1; seed <= 5; ++seed) {
         Mesh mesh = generate_sphere(1, {.edge_length = 0.15, .seed = seed});
@@ -180,7 +181,7 @@ TEST(AdvanceEdge, TakesAnEdgeThatLiesOnTheRay) {
     EXPECT_TRUE(advanced->change.reshaped.empty());
 }
 
-// What this prints stands in meshops/README.md.
+// Prints the table of meshops/README.md.
 TEST(AdvanceEdge, PrintsHowPathsAreMade) {
     const char* names[] = {"rectangle", "cylinder", "sphere", "squares"};
     for (const bool snap : {true, false})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// If one of these fails, a pre-scored line has gaps or lies elsewhere than it was drawn.
+// Otherwise a pre-scored line has gaps or lies elsewhere than drawn.
 #include "meshops/edge_path.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ double length_of(const Mesh& mesh, const std::vector<Edge>& path) {
     return length;
 }
 
-/// Numbers of the vertices that an odd number of the edges ends in: the two ends of a simple path.
+/// Numbers of the vertices at which an odd number of the edges ends: the two ends of a simple path.
 std::set<std::uint32_t> ends_of(const Mesh& mesh, const std::vector<Edge>& path) {
     std::set<std::uint32_t> odd;
     for (const Edge e : path)
@@ -54,7 +54,7 @@ TEST(EdgePath, FollowsMeshLinesExactly) {
         EXPECT_EQ(ends_of(mesh, {path[i - 1], path[i]}).size(), 2u) << "each edge goes on from the last";
 }
 
-// Of the many ways from one corner to the other of a grid of squares the one along the line is wanted.
+// Many paths lead from one corner to the other; the one along the line is needed.
 TEST(EdgePath, KeepsCloseToTheLineOnAnyMesh) {
     for (const double degrees : {0.0, 17.0, 30.0, 45.0, 71.0, 90.0, 133.0}) {
         const Mesh mesh = generate_disc(1, {.edge_length = 0.05});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// If one of these fails, a field made elsewhere arrives shifted, or a broken file goes unnoticed.
+// Otherwise a field made elsewhere arrives shifted, or a damaged file is not noticed.
 #include "meshops/float_grid.h"
 
 #include <gtest/gtest.h>
@@ -90,7 +90,7 @@ TEST_F(FloatGrid, RefusesWhatIsNoVdbFile) {
     EXPECT_NE(message_of(directory.path).find("is a folder"), std::string::npos);
 }
 
-// Cut short anywhere, a file must never give values: OpenVDB itself returns what happens to be in memory.
+// A truncated file must never give values: OpenVDB itself returns uninitialised memory.
 TEST_F(FloatGrid, RefusesAFileCutShort) {
     for (const auto compression :
          {openvdb::io::COMPRESS_NONE, openvdb::io::COMPRESS_ZIP, openvdb::io::COMPRESS_BLOSC}) {
@@ -109,7 +109,7 @@ TEST_F(FloatGrid, RefusesAFileCutShort) {
     }
 }
 
-// OpenVDB writes as many bytes as a file tells it to, over whatever is there.
+// OpenVDB writes as many bytes as the file's length says, past the end of its memory.
 TEST_F(FloatGrid, RefusesLengthsThatOpenVdbBelieves) {
     openvdb::initialize();
     openvdb::io::File writer(file.string());
@@ -117,7 +117,7 @@ TEST_F(FloatGrid, RefusesLengthsThatOpenVdbBelieves) {
     writer.write(openvdb::GridPtrVec{plane_grid("plane")});
     writer.close();
     const std::string whole = directory.contents().at(file.string());
-    // What zlib compressed begins with this letter, behind its length in 8 bytes; less than 0: not
+    // Data compressed by zlib begin with this letter, after their length in 8 bytes; a negative length: not
     // compressed.
     const std::string behind_length = std::string(6, '\0') + 'x';
     int lengths = 0;

@@ -63,7 +63,7 @@ Shape revolution(const char* name, const std::vector<Vector2d>& profile, int cha
             [profile](const Vector3d& p) { return gap_from_profile(profile, p); }};
 }
 
-/// The sector between the x axis and an angle (degrees); its gap is the distance from the whole surface.
+/// Sector between the x axis and an angle (degrees); its gap is the distance from the whole surface.
 Shape sector(const char* name, const std::vector<Vector2d>& profile, double angle) {
     return {name, [profile, angle](const auto& o) { return generate_revolution(profile, o, angle); },
             area_of_revolution(profile) * angle / 360, 1,
@@ -103,7 +103,7 @@ class EveryShape : public ::testing::TestWithParam<std::size_t> {
     Shape shape = shapes()[GetParam()];
 };
 
-// A generator that tears, folds or closes its surface would show here first.
+// A generated surface must not be torn, folded or closed.
 TEST_P(EveryShape, IsAManifoldOfTheRightTopologyAndArea) {
     for (const double edge_length : {0.02, 0.05, 0.1}) {
         const Mesh mesh = shape.generate(options(edge_length));
@@ -113,13 +113,13 @@ TEST_P(EveryShape, IsAManifoldOfTheRightTopologyAndArea) {
                                    static_cast<int>(mesh.number_of_faces());
         EXPECT_EQ(characteristic, shape.characteristic);
         EXPECT_EQ(connected_components(mesh).count, 1);
-        // Flat triangles cut off what is round: by about (edge / radius)^2.
+        // Flat triangles cut off round parts: by about (edge / radius)^2.
         const double tolerance = 3 * edge_length * edge_length + 1e-12;
         EXPECT_NEAR(test::mesh_quality(mesh).area / shape.area, 1, tolerance) << edge_length;
     }
 }
 
-// A sheet of worse triangles, or of another size than asked for, would bend and break otherwise.
+// A sheet of worse triangles, or of another size, would bend and break differently.
 TEST_P(EveryShape, HasGoodTrianglesOfTheTargetSize) {
     for (const unsigned seed : {1U, 2U, 3U}) {
         const Mesh mesh = shape.generate(options(0.03, seed));
@@ -138,7 +138,7 @@ TEST_P(EveryShape, HasItsVerticesOnTheSurface) {
     for (const Vertex v : mesh.vertices()) EXPECT_LT(shape.gap(vector(mesh.point(v))), 1e-12);
 }
 
-// Runs that are to be repeated need the same mesh; runs that are to vary need another.
+// Repeated runs need the same mesh; varied runs a different one.
 TEST_P(EveryShape, DependsOnTheSeedAlone) {
     const Mesh first = shape.generate(options(0.05, 7)), again = shape.generate(options(0.05, 7));
     const Mesh other = shape.generate(options(0.05, 8));
@@ -218,7 +218,7 @@ TEST(Generate, SharpCornersOfTheProfileHaveVertices) {
     EXPECT_EQ(corner, 63);  // 2 pi 0.5 / 0.05
 }
 
-// Supports and loads of a part of a shell stand on its corners and sides.
+// Supports and loads of a sector act on its corners and sides.
 TEST(Generate, SectorsHaveTheirCornersAndStraightSides) {
     for (const Layout layout : {Layout::delaunay, Layout::structured}) {
         const Mesh mesh =
@@ -283,7 +283,7 @@ TEST(Generate, RefusesSizesThatMakeNoMesh) {
     EXPECT_THROW(sector({{1, 0}, {1, 1}}, 361), Error);
 }
 
-// The smallest meshes a person may ask for.
+// Smallest meshes that a user may request.
 TEST(Generate, CoarseMeshesAreManifoldsToo) {
     for (const Mesh& mesh : {generate_rectangle(1, 1, options(1)), generate_disc(1, options(1)),
                              generate_sphere(1, options(1)), generate_cylinder(1, 1, options(1))}) {

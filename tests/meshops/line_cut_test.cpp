@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// If one of these fails, a line is cut elsewhere than it was drawn, or leaves a mesh behind that is none.
+// Otherwise a line is cut elsewhere than drawn, or the mesh is not valid afterwards.
 #include "meshops/line_cut.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// What this prints stands in meshops/README.md.
+// Prints values of meshops/README.md.
 TEST(LineCut, PrintsTheSmallestAnglesOfStraightCuts) {
     std::vector<double> angles;
     for (unsigned seed = 1; seed <= 100; ++seed) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is coloured in a picture of faults must be what the reader refuses.
+// A picture of faults must colour what the reader refuses.
 #include "meshops/mesh_faults.h"
 
 #include <gtest/gtest.h>

@@ -17,7 +17,7 @@ class Plane final : public Surface {
     Vector2d project(const Eigen::Vector3d& point, const Vector2d&) const override { return point.head<2>(); }
 };
 
-/// A square of side 1 with `side` points on each side and as many rows inside, on a regular grid.
+/// Square of side 1 with `side` points on each side and as many rows inside, on a regular grid.
 SurfacePoints square(int side) {
     SurfacePoints points;
     const auto at = [side](int i, int j) { return Vector2d(double(i) / side, double(j) / side); };
@@ -35,8 +35,8 @@ void expect_like_new(MovingDelaunay& moved, const SurfacePoints& points) {
     EXPECT_EQ(moved.triangles(), MovingDelaunay(Plane(), points).triangles());
 }
 
-// A generated mesh would otherwise be another than one whose points are triangulated anew, or depend on how
-// they came to be where they are. From steps of a hundredth of an edge to ones that turn triangles over.
+// Otherwise a generated mesh would differ from a new triangulation of its points, or depend on how they
+// moved. Steps from a hundredth of an edge to ones that invert triangles.
 TEST(MovingDelaunay, IsTheTriangulationMadeAnew) {
     const Plane plane;
     test::Random random(1);
@@ -56,7 +56,7 @@ TEST(MovingDelaunay, IsTheTriangulationMadeAnew) {
     }
 }
 
-// Four corners of a square lie on a circle, where either diagonal would do.
+// Four corners of a square lie on a circle, where either diagonal is Delaunay.
 TEST(MovingDelaunay, TakesTheSameDiagonalsOfSquares) {
     const Plane plane;
     test::Random random(2);

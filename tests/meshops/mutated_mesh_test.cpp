@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mesh files that were damaged on the way, a thousand ways: each is an Error or a mesh, never the end of the
-// program, and never takes more memory than a small multiple of the file.
+// Mesh files damaged in a thousand ways: each must give an Error or a mesh, without ending the program or
+// taking more memory than a small multiple of the file.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -17,13 +17,13 @@
 namespace sherd::test {
 namespace {
 
-using Generator = std::mt19937;  // the same numbers everywhere; not so its distributions
+using Generator = std::mt19937;  // same numbers on every platform, unlike its distributions
 
 std::size_t below(Generator& random, std::size_t count) {
     return random() % count;
 }
 
-/// Words that mean something somewhere in these formats.
+/// Words with a meaning in any of these formats.
 const std::vector<std::string> words{"-1",
                                      "nan",
                                      "inf",
@@ -80,7 +80,7 @@ std::string mutated(std::string text, Generator& random) {
     return text;
 }
 
-/// File names, which say the format, and small files.
+/// File names, which determine the format, and small files.
 std::vector<std::pair<std::string, std::string>> originals() {
     TriangleSheet sheet = triangle_sheet(octahedron());
     const std::string stl = stl_bytes(sheet), off = mesh_bytes(sheet, "a.off");
@@ -115,7 +115,7 @@ TEST(MutatedMesh, IsAnErrorOrAMesh) {
         Generator random(14);
         for (int i = 0; i < 400; ++i) {
             const std::string text = mutated(original, random);
-            // Whoever it ends with a signal finds the input there, and the number here.
+            // If a signal ends the test, the input remains there, and the number here.
             SCOPED_TRACE(name + " " + std::to_string(i));
             const auto file = directory.write(name, text);
             try {

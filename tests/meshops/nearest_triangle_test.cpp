@@ -10,7 +10,7 @@
 namespace sherd::test {
 namespace {
 
-// A number that counted without the triangles left out would be that of another face.
+// A number that did not count omitted triangles would be that of another face.
 TEST(NearestTriangle, HasTheNumberAmongAll) {
     Eigen::Matrix3Xd points(3, 4);
     points << 0, 1, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0;

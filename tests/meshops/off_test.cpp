@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// OFF files as programs write them, with more numbers in a line than a mesh needs, and broken ones.
+// OFF files as programs write them, with more numbers in a line than a mesh needs, and damaged ones.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ TEST(Off, WhatStandsBehindPointsAndCornersIsPassedOver) {
     }
 }
 
-// Programs and data sets differ in their headers, and the format knows no lines.
+// Programs and data sets differ in their headers, and the format ignores line breaks.
 TEST(Off, HeadersAndLinesAreAsProgramsWriteThem) {
     const std::string points = "0 0 0\n1 0 0\n0 1 0\n", face = "3 0 1 2\n";
     for (const std::string& text :

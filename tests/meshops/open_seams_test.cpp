@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Seams that are nearly closed, and vertices on edges that they do not divide: named, or joined where asked.
+// Seams that are nearly closed, and vertices on edges that they do not divide: reported, or joined on
+// request.
 #include <gtest/gtest.h>
 
 #include "meshops/components.h"
@@ -21,7 +22,7 @@ std::string two_quads(const std::string& gap) {
     return test::square + "v 1" + gap + " 0 0\nv 2 0 0\nv 2 1 0\nv 1" + gap + " 1 0\nf 1 2 3 4\nf 5 6 7 8\n";
 }
 
-// A sheet that falls into pieces at the start breaks where its maker saw no seam.
+// A sheet in separate pieces would break where its author saw no seam.
 TEST_F(OpenSeams, NearlyJoinedEdgesAreNamedWithTheirLength) {
     const std::string hair = two_quads(".00001");
     EXPECT_EQ(connected_components(read("a.obj", hair, repair)).count, 2);
@@ -44,14 +45,14 @@ TEST_F(OpenSeams, NearlyJoinedEdgesAreJoinedWhereThatIsAskedFor) {
     EXPECT_EQ(warnings.size(), 1U);
     EXPECT_EQ(connected_components(read("a.obj", two_quads(".00001"), joining(5e-6))).count, 2);
     expect_failure("a.obj", two_quads(".00001"), "join those that are nearer", joining(0.6));
-    // What is inside of a sheet stays as it is, however fine it is.
+    // The inside of a sheet is not changed, however fine it is.
     const std::string fine = test::square + "v .5 .5 0\nv .5001 .5 0\n";
     EXPECT_EQ(read("b.obj", fine + "f 1 2 6\nf 1 6 5\nf 2 3 6\nf 6 3 5\nf 3 4 5\nf 4 1 5\n", joining(0.01))
                   .number_of_vertices(),
               6U);
 }
 
-/// A quad below another one of twice the width, whose upper edge has a vertex more.
+/// Quad below another one of twice the width, whose upper edge has an additional vertex.
 const std::string tee =
     "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nv 0 -1 0\nv 1 -1 0\nv 2 -1 0\nv 1 0 0\n"
     "vt 0 0\nvt 2 0\nvt 2 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\nf 5 6 8 1\nf 6 7 2 8\n";
@@ -62,7 +63,7 @@ TEST_F(OpenSeams, VerticesOnEdgesAreNamedWithTheLengthOfTheEdges) {
     expect_warning(
         "1 vertex lies on edges without dividing them (T-junctions; the first: vertex 7 on the edge of "
         "vertices 0 and 1 at (1, 0, 0); edges of together 2 m), so that the sheet is open there; `join = ");
-    // The same where the vertices of a soup are joined first.
+    // A soup whose vertices are joined first gives the same warning.
     read("b.obj", "v 0 0 0\nv 2 0 0\nv 0 1 0\nv 0 0 0\nv 1 0 0\nv 0 -1 0\nf 1 2 3\nf 5 4 6\n", repair);
     expect_warning("vertex 4 on the edge of vertices 0 and 1");
 }

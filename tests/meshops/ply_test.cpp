@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a PLY file may be, and what is said of one that is not: without these a user searches a header of ten
-// lines for a word that is misspelt, or the program makes room for a billion vertices that are not there.
+// Accepted PLY files, and messages for invalid ones: otherwise a user searches a header of ten lines for a
+// misspelt word, or the program allocates a billion vertices that are not there.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -70,7 +70,7 @@ TEST(Ply, EachMistakeOfAHeaderIsNamedWithItsLine) {
     EXPECT_EQ(failure(good), "no error");
 }
 
-// A header that promises what cannot be there must not be believed, nor a count of a list.
+// Counts in the header, or of a list, that exceed the file must not be trusted.
 TEST(Ply, CountsAreHeldAgainstTheSizeOfTheFile) {
     for (const char* format : {"ascii", "binary_little_endian", "binary_big_endian"})
         for (const char* count : {"1000", "4000000000", "18446744073709551615"}) {
@@ -96,7 +96,7 @@ TEST(Ply, CountsAreHeldAgainstTheSizeOfTheFile) {
     EXPECT_NE(failure(huge).find("a.ply: face 0: its list vertex_indices has 4294967295 values"),
               std::string::npos)
         << failure(huge);
-    // Rows without anything in them take no room: any number of them is nothing.
+    // Rows without content take no space: any number of them is valid.
     EXPECT_EQ(failure(replaced(good, "end_header", "element nothing 18446744073709551615\nend_header")),
               "no error");
 }
@@ -122,7 +122,7 @@ void append(std::string& bytes, Number number, bool big_endian) {
     bytes.append(raw.begin(), raw.end());
 }
 
-/// With a colour for each vertex, doubles, short indices and an element that nobody knows.
+/// Binary PLY file with a colour for each vertex, doubles, short indices and an unknown element.
 std::string binary(bool big_endian, double bad = 1) {
     std::string bytes =
         "ply\r\nformat binary_" + std::string(big_endian ? "big" : "little") +
@@ -163,8 +163,8 @@ TEST(Ply, NumbersThatAreNoneAreNamedByTheirVertex) {
               "a.ply:12: vertex 1: a coordinate is NaN or infinite");
 }
 
-// A property is of the vertices in the order of the file, of whatever type, and a wrong name says which there
-// are.
+// Properties belong to the vertices in the order of the file, whatever their type; a message about an unknown
+// name must list the known ones.
 TEST(Ply, PropertiesOfVerticesAreReadByName) {
     const std::string with =
         replaced(replaced(good, "property float z\n",
@@ -183,13 +183,13 @@ TEST(Ply, PropertiesOfVerticesAreReadByName) {
               std::string::npos);
 }
 
-// Scans of the nineties, such as Stanford's, have no faces but strips.
+// Scans of the nineties, such as Stanford's, have strips instead of faces.
 TEST(Ply, StripsOfTrianglesAreReadWhereThereAreNoFaces) {
     const std::string points = "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n1 2 0\n";
     const std::string header = "ply\nformat ascii 1.0\n" + replaced(points_of_header, "3", "6") +
                                "element tristrips 1\nproperty list int int vertex_indices\n";
     const PolygonSoup strips = parse(header + "end_header\n" + points + "10 0 1 2 3 -1 2 3 3 4 5\n");
-    // A vertex that is there twice makes two triangles of no area, which are left out.
+    // A repeated vertex makes two triangles of zero area, which are omitted.
     EXPECT_EQ(strips.polygons, (std::vector<std::vector<std::size_t>>{{0, 1, 2}, {2, 1, 3}, {3, 4, 5}}));
     EXPECT_TRUE(strips.warnings.empty());
     const PolygonSoup both =
@@ -201,7 +201,7 @@ TEST(Ply, StripsOfTrianglesAreReadWhereThereAreNoFaces) {
               "a.ply:16: face 0: index out of range: there is no vertex 9, the file has 6 (numbered from 0)");
 }
 
-// Programs write colours in whatever type they have, and 0 to 255 in all of them.
+// Programs write colours in any type, with values from 0 to 255 in all of them.
 TEST(Ply, TheLargestColourTellsWhatFullLightIs) {
     const auto content_of = [](const std::string& type, const std::string& colours) {
         std::string content = good;
@@ -220,13 +220,13 @@ TEST(Ply, TheLargestColourTellsWhatFullLightIs) {
     EXPECT_EQ(first_colour("ushort", "65535 257 0"), (Colour{255, 1, 0, 255}));
     EXPECT_EQ(first_colour("float", "1 0.2 0"), (Colour{255, 51, 0, 255}));
     EXPECT_EQ(first_colour("float", "1.5 0.2 nan"), (Colour{255, 51, 0, 255})) << "brighter than white";
-    // A map of 0 to 255 would be 1 everywhere.
+    // Without this rule a map of 0 to 255 would be 1 everywhere.
     for (const char* type : {"uchar", "float"})
         EXPECT_EQ(parse_ply_property("a.ply", content_of(type, "204 51 0"), "red")[0], 0.8) << type;
     EXPECT_EQ(parse_ply_property("a.ply", content_of("float", "0.75 0 0"), "red")[0], 0.75);
 }
 
-// A painted scan would come out of a run in white, or in other colours than it had.
+// Otherwise a painted scan would lose or change its colours in a run.
 TEST(Ply, ColoursOfVerticesAndFacesAreReadAndWrittenAgain) {
     std::string content = replaced(good, "property float z\n",
                                    "property float z\nproperty uchar red\nproperty uchar green\n"
@@ -252,7 +252,7 @@ TEST(Ply, ColoursOfVerticesAndFacesAreReadAndWrittenAgain) {
     }
 }
 
-// Two of three parts are something else, such as a measured value.
+// Two of three components belong to something else, such as a measured value.
 TEST(Ply, APartOfAColourIsNone) {
     EXPECT_TRUE(parse(replaced(replaced(good, "property float z\n", "property float z\nproperty uchar red\n"),
                                "0 0 0\n1 0 0\n0 1 0\n", "0 0 0 1\n1 0 0 1\n0 1 0 1\n"))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A flat sheet of any outline: what is meshed must be the region that was asked for, with good triangles, and
-// what cannot be meshed must be refused with its place.
+// Flat sheets of any outline: the mesh must cover the given region with good triangles, and impossible
+// outlines must be refused with their place.
 #include "meshops/polygon.h"
 
 #include <gtest/gtest.h>
@@ -96,7 +96,7 @@ TEST(Polygon, MeshesCoverTheRegionWithGoodTriangles) {
     }
 }
 
-// Straight sides are met exactly, whatever the points that they are given by.
+// Straight sides must be exact, whatever points describe them.
 TEST(Polygon, CornersAndSidesAreExact) {
     Polygon polygon{rectangle(0, 0, 1, 1), {}, {}};
     const Mesh mesh = generate_polygon(polygon, {0.1, Layout::delaunay, 1});
@@ -106,7 +106,7 @@ TEST(Polygon, CornersAndSidesAreExact) {
     EXPECT_EQ(same.number_of_vertices(), mesh.number_of_vertices());
 }
 
-/// Numbers of vertices that lie at one place with another one, and of those on the line from a to b.
+/// Numbers of vertices that coincide with another one, and of those on the line from a to b.
 std::pair<int, int> doubled_and_on(const Mesh& mesh, const Vector2d& a, const Vector2d& b) {
     std::multiset<std::pair<double, double>> places;
     int doubled = 0;
@@ -128,7 +128,7 @@ TEST(Polygon, SlitsAreOpenButForTheirInnerEnds) {
     EXPECT_EQ(on, 9);
     EXPECT_EQ(doubled, 2 * (on - 2));
     const Vector2d rim(0.5, 1), tip(0.5, 0.6);
-    // Given the other way, and off the outline by the round-off of a decimal.
+    // In the opposite direction, and off the outline by the round-off of a decimal.
     const Mesh notch = generate_polygon({rectangle(0, 0, 1, 1), {}, {{tip, rim + Vector2d(0, 1e-9)}}},
                                         {0.05, Layout::delaunay, 1});
     std::tie(doubled, on) = doubled_and_on(notch, tip, rim);
@@ -139,7 +139,7 @@ TEST(Polygon, SlitsAreOpenButForTheirInnerEnds) {
     EXPECT_EQ(measure(short_slit).boundary_loops, 2) << "one edge would not open";
 }
 
-// What cannot be is said, with the place; nothing of it may reach the triangulation.
+// Impossible polygons must be reported with the place, and must not reach the triangulation.
 TEST(Polygon, FaultsAreNamed) {
     const Polyline unit = rectangle(0, 0, 1, 1);
     const auto fault = [](const Polygon& polygon) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// If one of these fails, the axes of a mesh file end up on other faces than the file says.
+// Otherwise the axes of a mesh file are assigned to the wrong faces.
 #include <gtest/gtest.h>
 
 #include "meshops/read_mesh.h"
@@ -31,7 +31,7 @@ TEST(ReadAxis, FacePropertiesBecomeTheAxesOfTheFaces) {
 
 TEST(ReadAxis, TrianglesOfAPolygonHaveItsAxisAndDroppedOnesTakeTheirsAlong) {
     const std::string quad = replaced(ply_square("1 2 3", "9 9 9"), "3 0 1 2", "4 0 1 2 3");
-    // The second triangle is cut down to one without area.
+    // The second triangle is reduced to zero area.
     const auto axes = axes_in(replaced(quad, "3 0 2 3", "3 2 2 3"), true);
     ASSERT_EQ(axes.size(), 2u);
     for (const Eigen::Vector3d& axis : axes) EXPECT_EQ(axis, Eigen::Vector3d(1, 2, 3));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// If one of these fails, what a scene holds or loads by name is another part of the mesh than the file says.
+// Otherwise a scene's supports and loads act on a wrong part of the mesh.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace sherd::test {
 namespace {
 
-// A strip of three squares along x.
+// Strip of three squares along x.
 const std::string points = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nv 3 1 0\n";
 const std::string left = "f 1 2 6 5\n", middle = "f 2 3 7 6\n", right = "f 3 4 8 7\n";
 
@@ -21,7 +21,7 @@ Mesh read(const std::string& text, const ReadMeshOptions& options = {}) {
     return read_mesh(directory.write("strip.obj", text), options, warnings);
 }
 
-/// Least and largest x of the vertices in the group; {} without any.
+/// Smallest and largest x of the vertices in the group; {} without any.
 std::vector<double> extent(const Mesh& mesh, const std::string& group) {
     std::vector<double> x;
     for (const Vertex v : mesh.vertices())
@@ -64,7 +64,7 @@ TEST(ReadGroups, FacesBeforeTheFirstLineAreInNoneAndOtherFilesHaveNone) {
     EXPECT_EQ(extent(none, "rim"), Extent{});
 }
 
-// Turned, dropped and doubled triangles keep the groups of the polygon they come from.
+// Flipped, dropped and doubled triangles must keep the groups of their polygon.
 TEST(ReadGroups, RepairKeepsGroupsWithTheirFaces) {
     const Mesh mesh = read(points + "g bad\nf 1 2 3\ng low\n" + left + middle + "g high\nf 7 8 4 3\n",
                            {.repair = Repair::all});

@@ -46,7 +46,7 @@ std::string binary_stl(const std::vector<float>& corners, std::uint32_t count) {
     return bytes;
 }
 
-// Whoever names faces or vertices of his file (pins, textures, edges to cut) relies on this order.
+// Scenes refer to faces and vertices of a file by number (pins, textures, edges to cut), in this order.
 TEST_F(ReadMesh, KeepsTheOrderOfFacesAndCorners) {
     const Triangles expected{{2, 0, 1}, {0, 2, 3}};
     EXPECT_EQ(triangles(read("a.obj", test::square + "f 3 1 2\nf 1 3 4\n")), expected);
@@ -82,7 +82,7 @@ TEST_F(ReadMesh, ReadsWhatObjFilesHold) {
     EXPECT_EQ(texture[Face(1)][2], Eigen::Vector2d(1, 0));
 }
 
-// The system refuses to look for a file with such a name, which is another thing than that there is none.
+// The system refuses to search for such a name, which differs from a missing file.
 TEST_F(ReadMesh, TellsOfMaterialsWhoseNameIsTooLong) {
     const std::string library = "mtllib " + std::string(300, 'm') + "\n" + test::square;
     read("a.obj", library + "usemtl red\nf 1 2 3\nf 1 3 4\n");
@@ -107,20 +107,20 @@ TEST_F(ReadMesh, TriangulatesPolygons) {
         EXPECT_EQ(mesh.number_of_faces(), 2U);
         EXPECT_NEAR(area(mesh), 2, 1e-14);
     }
-    // The letter U, upright in space: as a fan it would cover its own gap.
+    // The letter U, upright in space: a fan would cover its gap.
     const Mesh u = read("u.obj",
                         "v 0 0 0\nv 0 3 0\nv 0 3 3\nv 0 2 3\nv 0 2 1\nv 0 1 1\nv 0 1 3\nv 0 0 3\nv 5 5 5\n"
                         "v 6 5 5\nv 6 6 5\nf 1 2 3 4 5 6 7 8\nf 9 10 11\n");
     EXPECT_EQ(u.number_of_faces(), 7U);
     EXPECT_NEAR(area(u), 7.5, 1e-14);
     EXPECT_EQ(triangles(u).back(), (std::vector<unsigned>{8, 9, 10}));
-    // Corners in the middle of a side are no reason for triangles without area.
+    // Corners in the middle of a side must not cause triangles of zero area.
     const Mesh side = read("side.obj", test::square + "v 0.5 0 0\nv 0.5 1 0\nf 1 5 2 3 6 4\n");
     EXPECT_EQ(side.number_of_faces(), 4U);
     EXPECT_GT(test::mesh_quality(side).smallest_angle, 20);
     // Bent: the two halves are planar, the whole is not.
     EXPECT_EQ(read("bent.obj", test::square + "v 0.5 -0.5 1\nf 1 5 2 3 4\n").number_of_faces(), 3U);
-    // A hole, to which a bridge leads and back, as CAD programs write faces with holes.
+    // A hole that is connected by a bridge in both directions, as CAD programs write faces with holes.
     const std::string ring = test::square + "v 3 0 0\nv 3 3 0\nv 0 3 0\nv 1 2 0\nv 2 1 0\nv 2 2 0\nv 1 1 0\n";
     for (const char* face : {"f 1 5 6 7 1 11 8 10 9 11", "f 11 9 10 8 11 1 7 6 5 1"}) {
         const Mesh mesh = read("ring.obj", ring + face);
@@ -130,7 +130,8 @@ TEST_F(ReadMesh, TriangulatesPolygons) {
     expect_failure("eight.obj", test::square + "v 2 0 0\nv 2 2 0\nf 1 3 4 1 5 6\n", "crosses");
     expect_failure("bow.obj", test::square + "f 1 2 4 3\n", "crosses or touches itself");
     expect_failure("star.obj", "v 0 0 0\nv 4 3 0\nv 0 3 0\nv 4 0 0\nv 2 5 0\nf 1 2 3 4 5\n", "crosses");
-    // Two sides that go back on others, so that there are as many triangles between sides as a polygon has.
+    // Two sides that run back along others, so that there are as many triangles between sides as in a
+    // polygon.
     expect_failure("spikes.obj", "v 0 0 0\nv 2 0 0\nv 1 0 0\nv 1 1 0\nv 2 1 0\nv 0 1 0\nf 1 2 3 4 5 6\n",
                    "crosses");
     // Warped so much that a side has no length along the axis nearest to the polygon's normal.
@@ -143,7 +144,7 @@ TEST_F(ReadMesh, TurnsTheFewerFacesOver) {
     const Mesh mesh = read("a.obj", strip + "f 1/1 3/2 2/3\nf 1/1 3/1 4/1\nf 2/1 5/1 3/1\nf 5/1 6/1 3/1\n");
     EXPECT_EQ(triangles(mesh), (Triangles{{0, 1, 2}, {0, 2, 3}, {1, 4, 2}, {4, 5, 2}}));
     const auto texture = find_property<Face, FaceTexture>(mesh, property::texture).first;
-    EXPECT_EQ(texture[Face(0)][1], Eigen::Vector2d(0, 1));  // goes with the corner
+    EXPECT_EQ(texture[Face(0)][1], Eigen::Vector2d(0, 1));  // moves with the corner
     expect_warning("1 face was turned over");
     EXPECT_EQ(warnings.size(), 1U);
 }
@@ -214,7 +215,7 @@ TEST_F(ReadMesh, NamesTheNonManifoldEdgeOrSeparatesIt) {
     expect_warning("1 non-manifold edge was separated");
 }
 
-// Both ends of the bad edge are joined all round: cutting at the edge alone would not do.
+// Both ends of the non-manifold edge are joined all round: cutting at the edge alone would not suffice.
 TEST_F(ReadMesh, SeparatesAWingOnAClosedSurface) {
     const std::string text =
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 -1\n"
@@ -227,7 +228,7 @@ TEST_F(ReadMesh, SeparatesAWingOnAClosedSurface) {
     EXPECT_EQ(mesh.number_of_vertices(), 7U);
 }
 
-// Two closed tetrahedra with an edge in common: four faces there, and each is a surface of its own.
+// Two closed tetrahedra with a common edge, which has four faces: each must become a surface of its own.
 TEST_F(ReadMesh, SeparatesSolidsThatShareAnEdge) {
     const Mesh mesh = read("a.obj",
                            "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nv 0 0 -1\n"
@@ -298,7 +299,7 @@ TEST_F(ReadMesh, RefusesMeshesWithoutFaces) {
     expect_failure("a.obj", test::square + "f 1 2\n", "a.obj:5: face 0: has 2 corners");
 }
 
-// Damaged files must end in a sentence, never in a crash, a hang or half a mesh.
+// Damaged files must give a message, and never a crash, a hang or half a mesh.
 TEST_F(ReadMesh, RefusesDamagedFiles) {
     std::string junk;
     for (int i = 0; i < 5000; ++i) junk += static_cast<char>(i * 7919 % 251);
@@ -308,7 +309,7 @@ TEST_F(ReadMesh, RefusesDamagedFiles) {
     }
     for (const char* name : {"e.off", "e.ply", "e.stl"}) expect_failure(name, "", name);
     for (const auto& [name, text] : {std::pair{"a.off", square_off}, {"a.ply", square_ply}}) {
-        // Cut anywhere before the last number, something is missing.
+        // Truncated anywhere before the last number, the file is incomplete.
         for (std::size_t size = 0; size + 2 < text.size(); ++size) {
             EXPECT_NE(failure(name, text.substr(0, size)), "no error") << name << " of " << size << " bytes";
         }
@@ -341,7 +342,7 @@ std::filesystem::path shared_meshes() {
     return std::filesystem::path(__FILE__).parent_path() / "../../../shared/data";
 }
 
-// What modelling programs write differs from what is written for tests.
+// Files of modelling programs differ from those written for tests.
 TEST(ReadRealMeshes, AreManifoldsWithTheirAreaKept) {
     if (!std::filesystem::is_directory(shared_meshes())) {
         GTEST_SKIP() << "NO REAL MESHES READ: set SHERD_TEST_MESHES to a folder that has some";

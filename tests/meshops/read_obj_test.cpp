@@ -12,7 +12,7 @@ namespace {
 using ReadObj = test::MeshReading;
 using test::area, test::triangles, test::Triangles;
 
-// Exporters differ in what surrounds the numbers: none of it may take a vertex or make one.
+// Exporters differ in the text around the numbers: none of it may remove or add a vertex.
 TEST_F(ReadObj, ReadsObjHoweverItIsSetOut) {
     const std::string plain = test::square + "f 3 1 2\nf 1 3 4\n";
     const auto ended_by = [&](const std::string& end) {
@@ -36,7 +36,7 @@ TEST_F(ReadObj, ReadsObjHoweverItIsSetOut) {
     expect_failure("wide.obj", "\xFF\xFEv", "UTF-16");
 }
 
-// A user must learn which statements are not read, and why a file has no polygons.
+// A user must be told which statements are not read, and why a file has no polygons.
 TEST_F(ReadObj, SaysWhichObjStatementsItPassesOver) {
     read("a.obj", test::square + "l 1 2\nl 2 3\nfrobnicate 3\nvn 0 0 1\ns 1\nf 1 2 3 4\n");
     ASSERT_EQ(warnings.size(), 2U);
@@ -55,7 +55,7 @@ TEST_F(ReadObj, TakesTexturePointsBehindTheFacesThatNameThem) {
     expect_failure("b.obj", test::square + "f 1/1 2/2 3/4\nvt 0 0\nvt 1 0\nvt 1 1\n", "texture point");
 }
 
-// Materials are found by names that have blanks, quotes or signs of comments in them.
+// Materials must be found by names with blanks, quotes or comment signs.
 TEST_F(ReadObj, FindsMaterialsByTheNamesThatExportersWrite) {
     directory.write("m#2.mtl", "\xEF\xBB\xBFnewmtl red  glass\rKd 1 0 0\r");
     const Mesh mesh =
@@ -67,7 +67,7 @@ TEST_F(ReadObj, FindsMaterialsByTheNamesThatExportersWrite) {
     EXPECT_NE(material[Face(0)]->definition.find("Kd 1 0 0"), std::string::npos);
 }
 
-// Names go into scenes, HDF5, XML and JSON, which are UTF-8: others end a run when it is exported.
+// Names are written to scenes, HDF5, XML and JSON, which are UTF-8: others would end a run at its export.
 TEST_F(ReadObj, TakesNamesThatAreNotUtf8ForLatin1) {
     directory.write("a.mtl", "newmtl gr\xFCn\nKd 0 1 0\n");
     for (const std::string name : {"gr\xFCn", "gr\xC3\xBCn"}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// If one of these fails, a damaged file ends the program, or a whole one is refused.
+// Otherwise a damaged file ends the program, or an intact one is refused.
 #include "meshops/rehearsal.h"
 
 #include <fcntl.h>
@@ -59,7 +59,8 @@ TEST(Rehearsal, LimitsAreErrors) {
     const auto takes_memory = [] { std::vector<char>(std::size_t(1) << 28, 'x'); };
     EXPECT_EQ(outcome(takes_memory, {.memory = 1 << 29}), "no error");
     const std::string too_much = outcome(takes_memory, {.memory = 1 << 26});
-    EXPECT_TRUE(too_much == std::bad_alloc().what() || too_much == crash) << too_much;  // as with a sanitizer
+    EXPECT_TRUE(too_much == std::bad_alloc().what() || too_much == crash)
+        << too_much;  // the latter with a sanitizer
     const auto takes_time = [] {
         for (volatile bool on = true; on;) continue;
     };
@@ -87,7 +88,7 @@ std::size_t parallel_sum(std::size_t count) {
     return sum;
 }
 
-// Threads of TBB that were not there any more would be waited for for ever.
+// The program would wait forever for TBB threads that no longer exist.
 TEST(Rehearsal, MayUseTbbAsMayWhoCallsIt) {
     for (int i = 0; i < 50; ++i) {
         ASSERT_EQ(parallel_sum(10'000), 49'995'000u);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What read_mesh() mends, and that it mends nothing where it may not.
+// Repairs of read_mesh(), which must change nothing beyond the permitted faults.
 #include <gtest/gtest.h>
 
 #include "meshops/components.h"
@@ -12,7 +12,7 @@ namespace {
 using RepairMesh = test::MeshReading;
 using test::area, test::triangles, test::square, test::repair, test::Triangles;
 
-// A triangle that is dropped must leave no slit: a plate would break there by itself.
+// A dropped triangle must leave no slit: a plate would break there by itself.
 TEST_F(RepairMesh, LeavesNoSlitWhereATriangleHadNoArea) {
     const std::string flat = square + "v 0.5 0.5 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 0.5 0.5\n";
     const Mesh divided =
@@ -22,7 +22,7 @@ TEST_F(RepairMesh, LeavesNoSlitWhereATriangleHadNoArea) {
     EXPECT_EQ(measure(divided).boundary_loops, 1);
     const auto texture = find_property<Face, FaceTexture>(divided, property::texture).first;
     EXPECT_EQ(texture[Face(2)][1], Eigen::Vector2d(0.5, 0.5));
-    // Two corners at one place, as at the pole of a sphere of quads: what lies beside becomes one fan.
+    // Two corners at one place, as at the pole of a sphere of quads: the faces around become one fan.
     const Mesh pole = read("b.obj",
                            "v 0 0 1\nv 0 0 1\nv 1 0 0\nv 0 1 0\nv -1 0 0\n"
                            "f 1 3 4\nf 1 4 2\nf 2 4 5\n",
@@ -39,7 +39,7 @@ TEST_F(RepairMesh, TurnsClosedPartsOutward) {
     EXPECT_TRUE(warnings.empty());
     EXPECT_EQ(triangles(read("b.obj", points + inward, repair)), expected);
     expect_warning("4 faces were turned over, of closed parts that were inside out");
-    // The normals of a cavity point into it.
+    // Normals of a cavity point into it.
     const std::string cavity = "v 1 1 1\nv 2 1 1\nv 1 2 1\nv 1 1 2\nf 5 6 7\nf 5 8 6\nf 6 8 7\nf 7 8 5\n";
     const Mesh hollow = read("c.obj", points + outward + cavity, repair);
     EXPECT_EQ(triangles(hollow)[4], (std::vector<unsigned>{4, 5, 6}));
@@ -72,8 +72,8 @@ TEST_F(RepairMesh, MendsNothingWhereNothingMayBe) {
     EXPECT_EQ(read("b.obj", square + "f 1 2 3\nf 1 3 4\n", nothing).number_of_faces(), 2U);
 }
 
-// Exporters write faces twice, for two sides, or as polygons and as their triangles: a sheet that is there
-// twice is cut apart at every edge.
+// Exporters write faces twice, for two sides, or as polygons and as their triangles: a repeated sheet would
+// be separated at every edge.
 TEST_F(RepairMesh, DropsFacesThatAreThereTwiceHoweverTheyBegin) {
     const std::string points = square + "v 2 0 0\nv 2 1 0\n", quads = "f 1 2 3 4\nf 2 5 6 3\n";
     for (const std::string again : {"f 3 4 1 2\nf 6 3 2 5\n", "f 4 3 2 1\nf 3 6 5 2\n",
@@ -87,7 +87,7 @@ TEST_F(RepairMesh, DropsFacesThatAreThereTwiceHoweverTheyBegin) {
             expect_failure("a.obj", points + text, "drops repeated");
         }
     }
-    // A ring of a pentagon in parts of three and four corners.
+    // A pentagon again in parts of three and four corners.
     const std::string pentagon = "v 0 0 0\nv 2 0 0\nv 3 2 0\nv 1 3 0\nv -1 2 0\nf 1 2 3 4 5\n";
     EXPECT_EQ(read("b.obj", pentagon + "f 1 2 3\nf 1 3 4 5\n", repair).number_of_faces(), 3U);
     const std::string bent = "v 0 0 0\nv 1 0 0\nv 1 1 0.1\nv 0 1 0\nv 2 0 0\nv 2 1 0.2\n";
@@ -105,7 +105,7 @@ TEST_F(RepairMesh, DropsWhatBoundsNothing) {
     expect_warning("2 faces were dropped for fewer than three corners (the first: ");
     EXPECT_EQ(warnings.size(), 1U);
     expect_failure("a.obj", square + "f 1 2\n", "no faces left", repair);
-    // Depth cameras give places that they did not see as NaN.
+    // Depth cameras write unseen points as NaN.
     const std::string unseen = square + "v nan nan nan\nv nan inf 0\nv 0 0 0\nf 1 2 3\nf 7 3 4\n";
     EXPECT_EQ(read("b.obj", unseen, repair).number_of_vertices(), 6U);
     expect_warning("2 vertices were dropped that no face uses");
@@ -122,7 +122,7 @@ TEST_F(RepairMesh, SheetsGoStraightOnWhereTheyMeet) {
     EXPECT_EQ(found.count, 2);
     EXPECT_EQ(found.of_face[0], found.of_face[3]);
     EXPECT_EQ(found.of_face[1], found.of_face[2]);
-    // Three leaves at equal angles: none of them goes on in another.
+    // Three leaves at equal angles: none of them continues in another.
     const std::string star =
         "v 0 0 0\nv 0 0 1\nv 1 0 0\nv -0.5 0.8660254037844386 0\nv -0.5 -0.8660254037844386 0\n"
         "f 1 2 3\nf 1 2 4\nf 1 2 5\n";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// If one of these fails, mass, momentum or what else a sheet carries is lost or made where triangles change.
+// Otherwise mass, momentum or other data of a sheet are lost or added where triangles change.
 #include "meshops/retriangulation.h"
 
 #include <gtest/gtest.h>
@@ -75,7 +75,7 @@ TEST(Retriangulation, AMovedVertexHasThePlaceInOneOldFace) {
     expect_same_sheet(old, mesh, change, true);
 }
 
-// A tetrahedron's edges cannot be flipped: the others exist already.
+// The edges of a tetrahedron cannot be flipped: the new ones exist already.
 TEST(Retriangulation, NoSecondEdgeBetweenTwoVertices) {
     Mesh mesh;
     const auto a = mesh.add_vertex({0, 0, 0}), b = mesh.add_vertex({1, 0, 0});
@@ -87,7 +87,7 @@ TEST(Retriangulation, NoSecondEdgeBetweenTwoVertices) {
     for (const Edge edge : mesh.edges()) EXPECT_FALSE(edits.can_flip(edge));
 }
 
-/// One random operation; a move goes a fifth of the way at most, so that no face turns over.
+/// Makes one random split or flip.
 void edit_somewhere(const Mesh& mesh, Retriangulation& edits, Random& random) {
     const Face face(random.below(mesh.number_of_faces()));
     const Halfedge h = mesh.halfedge(face);
@@ -104,7 +104,7 @@ void edit_somewhere(const Mesh& mesh, Retriangulation& edits, Random& random) {
     }
 }
 
-// Several at once, one upon the other: places may have more parents then, but all else holds.
+// Several changes on top of each other: vertices may then have more parents, but all else holds.
 RC_GTEST_PROP(Retriangulation, RandomSplitsAndFlipsKeepTheSheet, ()) {
     const unsigned shape = *rc::gen::inRange(0u, sheet_shapes), seed = *rc::gen::inRange(0u, 1u << 30);
     Mesh mesh = drawn_sheet(shape, seed);
@@ -130,7 +130,7 @@ bool folds(const Mesh& mesh, Vertex vertex, const Vector3d& target) {
     return false;
 }
 
-// Without those that fold faces over, which move() must not be asked for.
+// Excludes moves that fold faces over, which move() does not allow.
 RC_GTEST_PROP(Retriangulation, RandomMovesKeepTheSheet, ()) {
     const unsigned shape = *rc::gen::inRange(0u, sheet_shapes), seed = *rc::gen::inRange(0u, 1u << 30);
     Mesh mesh = drawn_sheet(shape, seed);

@@ -8,7 +8,7 @@
 namespace sherd {
 namespace {
 
-// Missed, two sheets would pass through each other unseen in every proof that rests on this.
+// A missed pair would hide sheets that pass through each other from all tests that use this function.
 TEST(SelfIntersections, FindsCrossingFacesAndNoNeighbours) {
     Mesh mesh = test::grid(2, 2);
     EXPECT_TRUE(self_intersections(mesh).empty()) << "faces that share vertices and edges";
@@ -20,13 +20,13 @@ TEST(SelfIntersections, FindsCrossingFacesAndNoNeighbours) {
     EXPECT_EQ(found[0][1], needle);
 }
 
-// Large meshes are looked at in strips, at whose borders nothing may be missed or found twice.
+// Large meshes are searched in strips, at whose borders nothing may be missed or found twice.
 TEST(SelfIntersections, FindsThoseOfALargeMesh) {
     const int columns = 50, rows = 1000;
     Mesh mesh = test::grid(columns, rows);
     std::vector<std::array<Face, 2>> expected;
     for (int row = 3; row < rows; row += 7) {
-        // Through the first triangle of a square, along the diagonal of which nothing lies.
+        // Through the first triangle of a square, off its diagonal.
         const Point at(20.6, row + 0.3, 0);
         const Vertex a = mesh.add_vertex(Point(at.x(), at.y(), -1)),
                      b = mesh.add_vertex(Point(at.x() + 0.1, at.y(), -1)),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An obstacle that is a grid must push as the solid it stands for would.
+// An obstacle from a grid must push like the solid that it represents.
 #include "meshops/signed_distance_grid.h"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ std::filesystem::path write_sphere(const TemporaryDirectory& directory, openvdb:
     return write_vdb(directory.path / "ball.vdb", {grid});
 }
 
-/// Largest deviations of distance and gradient from those of a sphere, from its middle part outward.
+/// Expects distances and gradients of a sphere within `tolerance`, outside its innermost part.
 void expect_sphere(const SignedDistanceGrid& grid, const Vector3d& centre, double tolerance) {
     Random random(7);
     for (int i = 0; i < 2000; ++i) {
@@ -54,7 +54,7 @@ TEST(SignedDistanceGrid, AMeshOfASphereIsASphere) {
     EXPECT_LT((grid.upper() - Vector3d::Constant(radius + voxel)).norm(), 2e-3);
 }
 
-// OpenVDB's own error does not tell what to do.
+// OpenVDB's own error gives no remedy.
 TEST(SignedDistanceGrid, VoxelsThatOpenVdbDoesNotTakeAreNamed) {
     const Mesh small = generate_sphere(2e-4, {.edge_length = 5e-5});
     EXPECT_EQ(thrown_by([&] { SignedDistanceGrid::of_mesh(small, 1e-5, 1e-5); }),
@@ -63,7 +63,7 @@ TEST(SignedDistanceGrid, VoxelsThatOpenVdbDoesNotTakeAreNamed) {
                 4.0 / 3 * 3.14159265 * 8e-12, 2e-12);
 }
 
-// Force and stiffness of contact come from these.
+// Contact force and stiffness are computed from these derivatives.
 TEST(SignedDistanceGrid, DerivativesAreThoseOfTheInterpolatedDistance) {
     const SignedDistanceGrid grid = SignedDistanceGrid::of_mesh(sphere_mesh(), voxel, 0.002);
     Random random(2);
@@ -71,7 +71,7 @@ TEST(SignedDistanceGrid, DerivativesAreThoseOfTheInterpolatedDistance) {
     const auto gradient = [&](const Vector3d& x) { return grid.sample(x).gradient; };
     for (int i = 0; i < 300; ++i) {
         const Vector3d at = radius * random.uniform(0.1, 1.02) * random.matrix<Vector3d>(1).normalized();
-        // Between two half voxels the spline is one polynomial; there alone it has a second derivative.
+        // Between two half voxels the spline is one polynomial; only there it has a second derivative.
         const Vector3d place = at / voxel + Vector3d::Constant(0.5);
         const Vector3d within = place.array() - place.array().floor();
         if (within.minCoeff() < 0.01 || within.maxCoeff() > 0.99) continue;
@@ -96,7 +96,7 @@ TEST(SignedDistanceGrid, ALevelSetIsTakenAsItIsScaledAndFilled) {
     }
 }
 
-// What Houdini or Blender computed is what counts, in a grid that is turned and moved, and be it no distance.
+// The values of Houdini or Blender must be used, in a rotated and moved grid, even if they are no distance.
 TEST(SignedDistanceGrid, VoxelsOfALevelSetAreTakenAsTheyAre) {
     const TemporaryDirectory directory;
     openvdb::initialize();
@@ -133,14 +133,13 @@ TEST(SignedDistanceGrid, WhatIsNoSolidIsRefused) {
     EXPECT_NE(open.find("it is open"), std::string::npos) << open;
 }
 
-// What OpenVDB throws would end a run without a word on which file it was; and of NaN it makes distances for
-// ever.
+// OpenVDB's exceptions would end a run without the name of the file; and NaN would keep it computing forever.
 TEST(SignedDistanceGrid, ADamagedTransformIsRefused) {
     const TemporaryDirectory directory;
     const auto file = write_sphere(directory, openvdb::GRID_LEVEL_SET);
     const std::string whole = directory.contents().at(file.string());
     const std::string map = "UniformScaleTranslateMap";
-    const std::size_t at = whole.find(map) + map.size(), size = 24;  // the first of its vectors
+    const std::size_t at = whole.find(map) + map.size(), size = 24;  // first of its vectors
     ASSERT_LT(at, whole.size());
     for (const char byte : {'\0', '\xff'}) {
         std::string damaged = whole;
@@ -152,8 +151,8 @@ TEST(SignedDistanceGrid, ADamagedTransformIsRefused) {
     }
 }
 
-// Voxels that a damaged transform has made long and thin kept the program busy for half a minute, and more,
-// with cubes as small as their smallest side.
+// Voxels that a damaged transform has made long and thin once kept the program busy for half a minute and
+// more, with cubes of their smallest side.
 TEST(SignedDistanceGrid, VeryOblongVoxelsAreRefused) {
     const TemporaryDirectory directory;
     openvdb::initialize();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Wrong moments would let a free body of a mesh fall and turn like another one.
+// Wrong moments would let a free body from a mesh fall and turn like another one.
 #include "meshops/solid_moments.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Matrix3d, Eigen::Vector3d;
 
-// The tetrahedron of the axes, far from the origin, where digits would be lost.
+// Tetrahedron of the unit vectors, far from the origin, where digits would be lost.
 TEST(SolidMoments, OfATetrahedronAreExact) {
     const Vector3d at(1000, -2000, 500);
     Mesh mesh;
@@ -29,12 +29,12 @@ TEST(SolidMoments, OfATetrahedronAreExact) {
     const SolidMoments solid = solid_moments(mesh);
     EXPECT_NEAR(solid.volume, 1.0 / 6, 1e-12);
     EXPECT_LT((solid.centre - at - Vector3d::Constant(0.25)).norm(), 1e-12);
-    // Integrals over it: x^2 1/60, xy 1/120, x 1/24.
+    // Integrals over the tetrahedron: x^2 1/60, xy 1/120, x 1/24.
     const Matrix3d second = Matrix3d::Constant(1.0 / 120 - 1.0 / 96) + Matrix3d::Identity() / 120;
     EXPECT_LT((solid.second - second).norm(), 1e-12);
 }
 
-// m (b^2 + c^2) / 5; the volume and the inertia of its facets are less by their sagitta.
+// Theory: m (b^2 + c^2) / 5; the volume and the inertia of the facets are less by their sagitta.
 TEST(SolidMoments, OfAnEllipsoidAreThoseOfTheory) {
     const Vector3d half(1, 2, 3);
     Mesh mesh = generate_sphere(1, {.edge_length = 0.1});
@@ -48,7 +48,7 @@ TEST(SolidMoments, OfAnEllipsoidAreThoseOfTheory) {
     EXPECT_LT((solid.inertia() - Matrix3d(inertia.asDiagonal())).norm(), 0.02 * inertia.norm());
 }
 
-// Faces turned inside out enclose a negative volume: so is a mesh told that no repair has turned.
+// Inverted faces enclose a negative volume, by which a mesh that was not repaired is detected.
 TEST(SolidMoments, OfWhatIsInsideOutAreNegative) {
     const Mesh outward = octahedron();
     Mesh mesh;

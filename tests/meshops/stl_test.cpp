@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// STL files as programs write them: their content tells what they are.
+// STL files as programs write them: the format follows from the content.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -21,7 +21,7 @@ const std::string two_facets = facet_of("vertex 0 0 0\nvertex 1 0 0\nvertex 1 1 
                                facet_of("vertex 0 0 0\nvertex 1 1 0\nvertex 0 1 0\n");
 const std::string whole_stl = "solid a\n" + two_facets + "endsolid a\n";
 
-/// The faces of the square below a header that says that there are `count`.
+/// Faces of the square below a header with the count `count`.
 std::string stl_of(std::uint32_t count, const std::string& header = "solid") {
     std::string result = header + std::string(80 - header.size(), ' ');
     const auto append = [&](std::uint32_t word) {
@@ -47,7 +47,7 @@ std::string in_capitals(std::string words) {
     return words;
 }
 
-// Whoever reads lines, or "solid" in the first bytes only, loses the file or half of it.
+// A reader of lines, or of "solid" in the first bytes alone, would lose the file or half of it.
 TEST_F(ReadStl, ReadsTextsHoweverTheyAreSetOut) {
     for (const std::string& set_out :
          {whole_stl, "\xEF\xBB\xBF" + whole_stl, in_capitals(whole_stl),
@@ -67,8 +67,8 @@ TEST_F(ReadStl, ReadsTextsHoweverTheyAreSetOut) {
     expect_failure("two.stl", two, "truncated");
 }
 
-// Exporters that stream leave the count as it was, and others count wrongly: a part of the sheet would be
-// missing without a word.
+// Streaming exporters leave the initial count, and others count wrongly: a part of the sheet would be missing
+// without a message.
 TEST_F(ReadStl, TakesTheTrianglesThatAreThere) {
     EXPECT_EQ(triangles(read("a.stl", stl_of(2))), square_faces);
     EXPECT_TRUE(warnings.empty());

@@ -8,7 +8,7 @@
 namespace sherd {
 namespace {
 
-// Missed, an obstacle would be seen through a sheet in every proof that rests on this.
+// A missed face would hide an obstacle that passes through a sheet from all tests that use this function.
 TEST(SurfaceCrossings, FindsTheFacesThatASurfacePassesThrough) {
     const Mesh mesh = test::grid(2, 2);
     const auto crossed_by = [&](double x, double y, double top) {

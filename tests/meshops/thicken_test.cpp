@@ -66,14 +66,14 @@ void expect_body(const TriangleSheet& sheet, double thickness, double tolerance)
     EXPECT_NEAR(check.volume, expected, tolerance * expected);
 }
 
-// A printer or a boolean operation would refuse it, and its weight would be wrong.
+// A printer or a boolean operation would refuse an open body, and its weight would be wrong.
 TEST(Thicken, PlateAndBowlAreClosedBodiesOfTheirVolume) {
     expect_body(triangle_sheet(generate_disc(0.1, edges(0.008))), 0.004, 1e-9);
     expect_body(bowl(), 0.003, 0.01);
     expect_body(triangle_sheet(generate_cylinder(0.05, 0.1, edges(0.006))), 0.004, 0.01);
 }
 
-// A sheet without a boundary is a shell around a cavity: two surfaces, and still a body.
+// A sheet without a boundary becomes a shell around a cavity: two surfaces, and still a body.
 TEST(Thicken, ClosedSheetEnclosesACavity) {
     expect_body(triangle_sheet(generate_sphere(0.1, edges(0.01))), 0.003, 0.01);
 }
@@ -87,7 +87,7 @@ TEST(Thicken, FoldKeepsItsThickness) {
     EXPECT_NEAR((body.points[ridge] - sheet.points[ridge]).norm(), 0.001 * std::numbers::sqrt2, 1e-9);
 }
 
-// A spike as long as the sheet would come out of a fold that is nearly closed.
+// A fold that is nearly closed would give a spike as long as the sheet.
 TEST(Thicken, NeedleOfAFoldIsNoSpike) {
     TriangleSheet sheet;
     sheet.points = {{0, 0, 0}, {0, 1, 0}, {1, 0.5, 0.01}, {1, 0.5, -0.01}};
@@ -99,7 +99,7 @@ TEST(Thicken, NeedleOfAFoldIsNoSpike) {
     }
 }
 
-/// The fold's first square, opened from its rim to its middle along j = 4 with lips that touch.
+/// First square of the fold, opened from its rim to its centre along j = 4, with touching crack faces.
 TriangleSheet cracked(std::vector<std::int32_t>& origin, double turn) {
     TriangleSheet sheet = fold();
     sheet.triangles.resize(8 * 16);
@@ -109,7 +109,7 @@ TriangleSheet cracked(std::vector<std::int32_t>& origin, double turn) {
         const int old = 9 * i + 4, created = static_cast<int>(sheet.points.size());
         sheet.points.push_back(sheet.points[old]);
         origin.push_back(old);
-        // Of the pairs of triangles of each column, the last four lie beyond the crack.
+        // The last four pairs of triangles of each column lie beyond the crack.
         for (std::size_t t = 0; t < sheet.triangles.size(); ++t)
             if (t % 16 >= 8) std::ranges::replace(sheet.triangles[t], old, created);
     }
@@ -117,7 +117,7 @@ TriangleSheet cracked(std::vector<std::int32_t>& origin, double turn) {
     return sheet;
 }
 
-// The sides of a closed crack lie on each other: a body cut open must not intersect itself there.
+// The faces of a closed crack coincide: a body that is cut open must not intersect itself there.
 TEST(Thicken, SidesOfAClosedCrackDoNotMeet) {
     for (const double turn : {0.0, 0.1, -0.1}) {
         std::vector<std::int32_t> origin;
@@ -130,7 +130,7 @@ TEST(Thicken, SidesOfAClosedCrackDoNotMeet) {
     }
 }
 
-// Whoever finds points and faces again by number relies on it.
+// Users identify points and faces by their numbers.
 TEST(Thicken, KeepsTheOrderOfPointsTrianglesAndGroups) {
     TriangleSheet sheet = fold();
     for (std::size_t t = 0; t < sheet.triangles.size(); ++t) {

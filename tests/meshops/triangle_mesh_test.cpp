@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Arrays come from other people's programs: what is wrong with them must be told by number, and what is right
-// must keep its numbers.
+// Arrays come from other programs: faults must be reported by number, and valid elements keep their numbers.
 #include "meshops/triangle_mesh.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +17,7 @@ namespace {
 
 using Triangles = std::vector<std::array<std::int32_t, 3>>;
 
-/// A square of two triangles with vertices 0 to 3, and three vertices more outside of it.
+/// Square of two triangles with vertices 0 to 3, and three additional vertices outside.
 const std::vector<Eigen::Vector3d> corner_points{{0, 0, 0}, {1, 0, 0},  {1, 1, 0}, {0, 1, 0},
                                                  {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}};
 

@@ -24,7 +24,7 @@ std::string text_of(const std::filesystem::path& file) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// Two triangles of an edge in common, with texture.
+/// Two triangles with a common edge, with texture.
 TriangleSheet two_triangles() {
     TriangleSheet sheet;
     sheet.points = {{0, 0, 0}, {1.0 / 3, 0, 1e-300}, {1, 1, 0}, {0, 0.1, -2.5}};
@@ -34,7 +34,7 @@ TriangleSheet two_triangles() {
     return sheet;
 }
 
-// What is exported and read again is to be the same sheet to the last bit.
+// An exported sheet must be the same when it is read again, to the last bit.
 TEST(WriteMesh, ReadsBackBitForBit) {
     const test::TemporaryDirectory directory;
     const Mesh mesh = generate_sphere(0.1, {0.02, Layout::delaunay, 3});
@@ -46,7 +46,7 @@ TEST(WriteMesh, ReadsBackBitForBit) {
         EXPECT_EQ(again.points, sheet.points);
         EXPECT_EQ(again.triangles, sheet.triangles);
     }
-    EXPECT_EQ(directory.contents().size(), 3U);  // and no temporary file is left behind
+    EXPECT_EQ(directory.contents().size(), 3U);  // no temporary file is left behind
 }
 
 TEST(WriteMesh, KeepsTextureAndExtremeNumbersInObj) {
@@ -58,7 +58,7 @@ TEST(WriteMesh, KeepsTextureAndExtremeNumbersInObj) {
     EXPECT_EQ(again.texture, sheet.texture);
 }
 
-// Programs that read objects take each to own its points.
+// Readers of objects assume that each has its own points.
 TEST(WriteMesh, MakesAnObjObjectOfEachGroup) {
     const test::TemporaryDirectory directory;
     TriangleSheet sheet = two_triangles();

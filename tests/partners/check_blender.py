@@ -16,9 +16,9 @@ RECORDING, FOLDER, BLENDER = sys.argv[sys.argv.index("--") + 1 :]
 sys.path.insert(0, BLENDER)
 import sherd_recording  # noqa: E402
 
-NEAR = 1e-6  # m: single precision of some decimetres
-SLOW = 250  # times, as in export_all.py
-STEP = 6  # Blender's frames from one of plate_drop's frames, a millisecond apart, to the next: 24 a second
+NEAR = 1e-6  # m, single precision for decimetres
+SLOW = 250  # slowdown, as in export_all.py
+STEP = 6  # Blender's frames, 24 a second, between two frames of plate_drop, 1 ms apart
 
 
 def frames(file):
@@ -34,7 +34,7 @@ def exported(name):
 
 
 def world_points(target):
-    """Of an object as it is shown: modifiers, animation, morph targets and all."""
+    """Returns points and triangles of an object as it is shown, with modifiers, animation and morph targets."""
     shown = target.evaluated_get(bpy.context.evaluated_depsgraph_get())
     mesh = shown.to_mesh()
     points = np.empty(3 * len(mesh.vertices))
@@ -57,7 +57,7 @@ def check_near(found, expected, what, tolerance=NEAR):
 
 
 def obstacles(frame):
-    """The points of each where they stand, by the names of their objects."""
+    """Returns the points of obstacles at their poses in a frame, by the names of their objects."""
     poses = frame["obstacle/pose"][:].reshape(-1, 3, 4)
     names = frame.file["obstacles/names"].asstr()[:]
     surfaces = [frame.file[f"obstacles/{i}/position"][:] for i in range(len(names))]
@@ -75,7 +75,7 @@ def check_obj(last):
 
 
 def import_mesh(kind):
-    """By Blender's importer, which has another name since Blender 4.2."""
+    """Imports run.KIND by Blender's importer, which has another name since Blender 4.2."""
     importer = getattr(bpy.ops.wm, kind + "_import") if bpy.app.version >= (4, 2) else getattr(bpy.ops.import_mesh, kind)
     importer(filepath=exported("run." + kind))
 
@@ -95,7 +95,7 @@ def check_stl(last):
 
 
 def check_cache(extension, all_frames):
-    """Every corner of every face is where the recording has it, in frames that came before its vertex, too."""
+    """Requires that all corners of faces are where the recording has them, also before their vertices existed."""
     clear()
     bpy.ops.wm.obj_import(filepath=exported("cache.obj"), forward_axis="Y", up_axis="Z")
     target = bpy.context.selected_objects[0]
@@ -107,14 +107,14 @@ def check_cache(extension, all_frames):
         bpy.context.scene.frame_set(STEP * number)
         points, faces = world_points(target)
         check_near(points[faces], corners(frame), f"{extension} frame {number}")
-        if number > 0:  # in the middle, too
+        if number > 0:  # half way between frames, too
             bpy.context.scene.frame_set(STEP * number - STEP // 2)
             points, faces = world_points(target)
             check_near(points[faces], (corners(all_frames[number - 1]) + corners(frame)) / 2, extension)
 
 
 def rigid_deviation(found, expected):
-    """How far the rigid motion that fits best is off the recording."""
+    """Returns the largest difference of coordinates between the points and their best rigid fit to `expected`."""
     a, b = found - found.mean(axis=0), expected - expected.mean(axis=0)
     u, _, v = np.linalg.svd(a.T @ b)
     turn = u @ np.diag([1, 1, np.sign(np.linalg.det(u @ v))]) @ v
@@ -123,7 +123,7 @@ def rigid_deviation(found, expected):
 
 def check_glb(name, all_frames):
     clear()
-    # Blender 3.4 of Debian fails with its default shading: its importer is older than its NumPy.
+    # With the default shading Debian's Blender 3.4 fails, whose importer is older than its NumPy.
     bpy.ops.import_scene.gltf(filepath=exported(name + ".glb"), import_shading="SMOOTH")
     last = all_frames[-1]
     fragments = last["face/fragment"][:]
@@ -185,7 +185,7 @@ def check_played(target, frame, number):
 
 
 def check_script_beside_the_installed():
-    """play_recording.py makes room for the add-on where that is installed and enabled; two at once cannot be."""
+    """Requires that play_recording.py replaces an add-on that is installed and enabled: both cannot run at once."""
     clear()
     sherd_recording.register()
     given, sys.argv = sys.argv, ["blender", "--", RECORDING]

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """blender -b --factory-startup --python-exit-code 1 --python check_blender_look.py -- RUN.h5 BLENDER
 
-Plays the recording of record_textured.py with the player in BLENDER (app/blender): the mesh has the texture coordinates,
-materials and colours of each frame, between frames those of the later one, and what a user changes stays."""
+Plays the recording of record_textured.py with the player in BLENDER (app/blender): the mesh must have the texture
+coordinates, materials and colours of each frame, between frames those of the later one, and keep a user's changes."""
 
 import os
 import sys
@@ -15,7 +15,7 @@ RECORDING, FOLDER = sys.argv[sys.argv.index("--") + 1 :]
 sys.path.insert(0, FOLDER)
 import sherd_recording  # noqa: E402
 
-STEP = 6  # pictures between two frames: 0.5 ms at 24 a second, slowed
+STEP = 6  # Blender's frames, 24 a second, between two recorded ones, 0.5 ms apart, by the choice of the slowdown
 
 
 def values(items, name, width):
@@ -41,7 +41,7 @@ def principled(material):
 
 
 def base(material):
-    """What the colours of vertices multiply: a colour, or a picture."""
+    """Returns the colour, or the picture, that the colours of vertices multiply."""
     product = principled(material)["Base Color"].links[0].from_node
     colours = product.inputs["Color2"].links[0].from_node
     assert (product.blend_type, product.inputs["Fac"].default_value) == ("MULTIPLY", 1)
@@ -57,14 +57,14 @@ def check_materials(materials):
     assert base(glaze).size[:] == (64, 64)
     assert np.allclose(base(clay), [0.7, 0.4, 0.2]) and np.allclose(base(lost), [0.1, 0.6, 0.1])
     assert base(sheet) == [1, 1, 1]
-    # Since Blender 4.2 each material lets light through, by dots that are hashed.
+    # Since Blender 4.2 all materials may be transparent, by hashed dots.
     transparent = "BLEND" if bpy.app.version < (4, 2) else "HASHED"
     assert principled(clay)["Alpha"].default_value == 0.5 and clay.blend_method == transparent
     assert 0.4 < principled(clay)["Roughness"].default_value < 0.6, "Ns 225 is half way from rough to smooth"
 
 
 def rendered(target):
-    """The picture of the first frame from above, by Blender's Cycles, and its plates' pixels, by their names."""
+    """Renders the first frame from above, by Blender's Cycles; returns the colours of pixels of the plates, by name."""
     scene = bpy.context.scene
     camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
     camera.data.type, camera.data.ortho_scale, camera.location = "ORTHO", 0.5, (0.125, 0, 1)
@@ -82,7 +82,7 @@ def rendered(target):
     scene.render.filepath = os.path.join(bpy.app.tempdir, "look.png")
     bpy.ops.render.render(write_still=True)
     picture = bpy.data.images.load(scene.render.filepath)
-    pixels = np.array(picture.pixels[:]).reshape(100, 200, 4)  # from below
+    pixels = np.array(picture.pixels[:]).reshape(100, 200, 4)  # rows from the bottom up
     places = {"upper glaze": (-0.06, 0.05), "lower glaze": (-0.06, -0.05), "red": (0.33, -0.06), "green": (0.17, 0.06)}
     return {name: pixels[int(50 + 400 * y), int(100 + 400 * (x - 0.125)), :3] for name, (x, y) in places.items()}
 

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """check_gltf.py SHERD RUN.h5 FOLDER FILE.glb...
 
-Validates .glb files with the Khronos glTF validator: these, and those of the recording of record_textured.py, which are
-made in FOLDER. No error and no warning is allowed. Exit code 77 if the validator (npm: gltf-validator) is not there."""
+Validates .glb files with the Khronos glTF validator: the given ones, and exports of RUN.h5, the recording of
+record_textured.py, which are made in FOLDER. Errors and warnings are failures. Exit code 77: the validator (npm:
+gltf-validator) is not installed."""
 
 import json
 import os

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """with_display python3 check_meshlab.py RUN.h5 RUN.ply
 
-Lets MeshLab's server read the .ply of the last frame and say what it finds as the faces' quality."""
+Reads the .ply of the last frame with MeshLab's server and compares the statistics of the faces' quality, which is their
+strain, with the recording."""
 
 import os
 import re

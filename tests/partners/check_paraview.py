@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """pvpython check_paraview.py RUN.xdmf SUMMARY.json
 
-Steps through a recording with ParaView's XDMFReader and compares every frame with what h5py found in it
-(check_recording.py)."""
+Steps through a recording with ParaView's XDMFReader and compares every frame with the summary that check_recording.py
+has made by h5py."""
 
 import json
 import sys
@@ -37,7 +37,7 @@ def block_named(data, name):
 def check_obstacles(data, expected):
     for number, wanted in enumerate(expected):
         name, block = data.GetMetaData(2 + number).Get(data.NAME()), data.GetBlock(2 + number)
-        # The reader adds [1] to a name that is there already.
+        # The reader appends [1] to a name that another block has.
         assert name.startswith(f"obstacle {wanted['name']}"), name
         points = vtk_to_numpy(block.GetPoints().GetData())
         assert np.allclose(points, wanted["points"], rtol=0, atol=1e-12 * (1 + np.abs(points).max())), name

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plays a recording with the player for Blender, without Blender: what it gives to Blender is what was recorded, and
-between frames the pieces go on straight lines. The pieces of the recording move rigidly and were flat at rest.
+"""Runs the player for Blender without Blender: its data for Blender must be those of the recording, and between frames
+the pieces must move in straight lines. The pieces of the recording move rigidly and are flat at rest.
 
 usage: check_player.py BLENDER RECORDING.h5, BLENDER: app/blender"""
 import importlib
@@ -14,7 +14,7 @@ from rigid_pieces import between
 
 
 class Elements:
-    """Vertices, corners or faces of a mesh, or the values of an attribute."""
+    """Replaces Blender's collections: vertices, corners or faces of a mesh, or the values of an attribute."""
 
     def __init__(self):
         self.count, self.values = 0, {}
@@ -58,7 +58,7 @@ class Object(dict):
 
 
 def player(folder):
-    """The add-on in app/blender, with so much of Blender as it asks for."""
+    """Imports the add-on from `folder`, with replacements for the parts of Blender that it uses."""
     bpy = types.ModuleType("bpy")
     bpy.path = types.SimpleNamespace(abspath=lambda path: path)
     bpy.types = types.SimpleNamespace(Operator=type("Operator", (), {}))
@@ -114,7 +114,7 @@ def main(folder, recording):
             born += len(later["face/vertices"]) - len(frame["face/vertices"])
             shown.frame_subframe = (0.75 * times[number] + 0.25 * times[number + 1] - times[0]) * 24
             module.show(target, shown)
-            # Pieces count from the later frame on: all faces are of pieces that were there.
+            # Until the later frame, faces of pieces that the earlier frame does not have belong to piece 0.
             known = np.isin(later["face/fragment"][:], frame["face/fragment"][:])
             fragments = np.where(known, later["face/fragment"][:], 0)
             check(target, later, between(file, number, 0.25), fragments)

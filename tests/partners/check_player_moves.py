@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plays a recording in which vertices move over a flat sheet, which stands still, with the player for Blender, without
-Blender: between frames the sheet must not move either, and every face is of a piece that was there.
+"""Runs the player for Blender without Blender, for a recording in which vertices move within a flat sheet at rest:
+between frames the sheet must not move either, and faces must belong to pieces of the earlier frame.
 
 usage: check_player_moves.py BLENDER RECORDING.h5, BLENDER: app/blender"""
 import sys

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plays a recording with obstacles with the player for Blender, without Blender: each is an object of its own, which
-stands where it was recorded; between frames its middle goes straight and it turns by half of its turn in half the time.
+"""Runs the player for Blender without Blender, for a recording with obstacles: each must be an object of its own at its
+recorded pose; half way between frames its middle must have moved half way in a straight line, and its rotation be half.
 
 usage: check_player_obstacles.py BLENDER RECORDING.h5, BLENDER: app/blender"""
 import sys

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """pvpython check_pvd.py RUN.pvd RUN.h5, of a run with obstacles
 
-Steps through the .pvd with ParaView and compares every array of every frame with the recording, to the last bit;
-reads the .vtp files with Python's own parser, base64 and zlib, too, as other programs do."""
+Steps through the .pvd with ParaView and compares every array of every frame with the recording, bit by bit. Also reads
+the .vtp files with Python's XML parser, base64 and zlib, as other programs do."""
 
 import base64
 import pathlib
@@ -22,7 +22,7 @@ FIELDS = [f"{name}{end}" for name in ("curvature", "membrane_strain", "stress_to
 
 
 def face_strain(frame):
-    """Largest absolute strain of each face's edges, found another way than the program does."""
+    """Returns the largest absolute strain of each face's edges, by another algorithm than the program's."""
     strain = {}
     for ends, value in zip(frame["edge/vertices"][:].tolist(), frame["edge/strain"][:]):
         strain[frozenset(ends)] = abs(value)
@@ -35,8 +35,8 @@ def face_strain(frame):
 
 
 def vtp_array(element):
-    """The numbers of a DataArray: in base64 the number of blocks, their sizes before and after compression; and anew
-    in base64 the blocks."""
+    """Returns the numbers of a DataArray. Its text is a base64 header, with the number of blocks and their sizes before
+    and after compression, followed by the blocks, in base64 of their own."""
     text = element.text.strip()
     blocks, whole, last = np.frombuffer(base64.b64decode(text[:32]), np.uint64)
     head = (8 * (3 + int(blocks)) + 2) // 3 * 4
@@ -75,7 +75,7 @@ def check_frame(data, frame):
 
 
 def check_obstacles(data, file, frame):
-    """Blocks behind that of the sheets, each of one part."""
+    """Checks the blocks of obstacles, which follow that of the sheets; each has one part."""
     names = file["obstacles/names"].asstr()[:]
     assert data.GetNumberOfBlocks() == 1 + len(names)
     for number, pose in enumerate(frame["obstacle/pose"][:].reshape(-1, 3, 4)):

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """check_recording.py RUN.h5 [SUMMARY.json]
 
-Reads a recording with h5py and numpy alone and checks what app/README.md promises of it, whoever made it. Writes
-what ParaView should find in each frame to SUMMARY.json (check_paraview.py reads it)."""
+Reads a recording with h5py and numpy alone and checks the statements of app/README.md about recordings. Writes the data
+that ParaView should find in each frame to SUMMARY.json, for check_paraview.py."""
 
 import json
 import sys
@@ -62,7 +62,7 @@ def check_tips(tips):
 
 
 def check_modes(file):
-    """Shapes are orthonormal by mass, and each frame shows the one that its step names, as a sine."""
+    """Checks that mode shapes are orthonormal by mass, and that frames show their step's mode as a sine in time."""
     assert "not physical" in file.attrs["times"]
     frequency, growth, shape = (file["modes"][name][:] for name in ("frequency", "growth", "shape"))
     assert shape.shape == (len(frequency), len(file["rest/position"]), 3) and growth.shape == frequency.shape
@@ -106,7 +106,8 @@ def poses_of(frame):
 
 
 def check_places(file, frames):
-    """A frame has the points of the obstacles that have moved since the one before, or out of their own frame."""
+    """Checks that a frame has the points of those obstacles whose pose differs from the one in the frame before, in the
+    first frame from the identity."""
     if "obstacles" not in file:
         return
     before = [np.eye(3, 4)] * len(file["obstacles/names"])
@@ -125,7 +126,7 @@ def places_of(file, frame, i):
 
 
 def obstacle_summary(file, frame):
-    """Of each: its name, its triangles and where its points are."""
+    """Returns name, triangles and points (m) of each obstacle in a frame."""
     if "obstacles" not in file:
         return []
     return [
@@ -135,7 +136,7 @@ def obstacle_summary(file, frame):
 
 
 def check_links(file):
-    """A run that changes no face writes no mesh at rest but that of /rest."""
+    """Checks that a run that changes no face writes no rest mesh but /rest."""
     mixed = any("face_mixed" in frame["rest"] for frame in file["frames"].values())
     if not mixed and not len(file["events/face_birth/created"]) and not len(file["events/vertex_birth/created"]):
         links = [frame.get("rest", getlink=True) for frame in file["frames"].values()]
@@ -143,7 +144,7 @@ def check_links(file):
 
 
 def check_rest(file, rest, faces):
-    """faces: of the frame, by the vertices that theirs are copies of."""
+    """Checks the rest mesh of a frame. faces: the frame's faces, with original vertices in place of their copies."""
     assert np.array_equal(faces, rest["faces"][:])
     assert rest["area"].shape == rest["thickness"].shape == rest["face_parent"].shape == (len(faces),)
     parents, weights = rest["vertex_parents"][:], rest["vertex_weights"][:]
@@ -161,7 +162,7 @@ def check_rest(file, rest, faces):
 
 
 def check_held(edge):
-    """Only frames in which edges that have failed open gradually say how far."""
+    """Checks `held`, which only frames with cohesive forces at failed edges have."""
     if "held" not in edge:
         return
     held = edge["held"][:]
@@ -182,7 +183,7 @@ def check_frame(file, frame):
     speed = np.linalg.norm(frame["vertex/velocity"][:], axis=1)
     assert np.allclose(speed, frame["vertex/speed"][:], rtol=1e-14, atol=0)
     assert np.array_equal(np.unique(faces), np.arange(vertices)), "a vertex without a face"
-    # A face keeps its corners, up to which copy of a vertex it holds.
+    # A face keeps its corners, except that copies replace split vertices.
     check_rest(file, frame["rest"], frame["vertex/original"][:][faces])
     fragments = np.unique(frame["face/fragment"][:])
     assert np.array_equal(fragments, np.arange(len(fragments))), "fragments are not numbered from 0"
@@ -201,14 +202,14 @@ def unit(vectors):
 
 
 def axes_of(points):
-    """points: [F, 3, 3]. Along the first side, and at right angles to it in the face."""
+    """Returns axes [F, 2, 3] of faces: along the first side, and perpendicular to it. points: [F, 3, 3]."""
     first = unit(points[:, 1] - points[:, 0])
     normal = unit(np.cross(first, points[:, 2] - points[:, 0]))
     return np.stack([first, np.cross(normal, first)], axis=1)
 
 
 def green_strain(rest, now):
-    """Of triangles [F, 3, 3]: (F^T F - 1) / 2 in the axes at rest, 00, 11 and 2 * 01."""
+    """Returns the strain of triangles [F, 3, 3]: (F^T F - 1) / 2 in the axes at rest, 00, 11 and 2 * 01."""
     local = np.einsum("fax,fcx->fac", axes_of(rest), rest[:, 1:] - rest[:, :1])
     slope = np.einsum("fcx,fca->fxa", now[:, 1:] - now[:, :1], np.linalg.inv(local))
     strain = (np.einsum("fxa,fxb->fab", slope, slope) - np.eye(2)) / 2
@@ -216,7 +217,7 @@ def green_strain(rest, now):
 
 
 def check_fields(frame):
-    """Of a recording of isotropic sheets with all fields."""
+    """Checks the fields of faces, for isotropic sheets."""
     face, corners = frame["face"], frame["face/vertices"][:]
     now, rest = frame["vertex/position"][:][corners], frame["rest/position"][:][frame["rest/faces"][:]]
     assert np.allclose(face["axes"][:].reshape(-1, 2, 3), axes_of(now), rtol=0, atol=1e-12)
@@ -226,8 +227,8 @@ def check_fields(frame):
         tensor = (values / [1, 1, 1 if name.startswith("stress") else 2])[:, [0, 2, 2, 1]].reshape(-1, 2, 2)
         size = np.abs(values).max() + 1e-300
         assert np.allclose(face[f"{name}_principal"][:][:, ::-1], np.linalg.eigvalsh(tensor), rtol=0, atol=1e-12 * size)
-    # In plane stress the trace and the shear of stress and strain are in proportion. A bend towards the normal
-    # squeezes the top.
+    # In plane stress the traces of stress and strain are proportional, and so are the shears. Bending towards the
+    # normal compresses the top.
     half = frame["rest/thickness"][:][:, None] / 2
     strain = np.concatenate([face["membrane_strain"][:] - side * half * face["curvature"][:] for side in (1, -1)])
     stress = np.concatenate([face["stress_top"][:], face["stress_bottom"][:]])

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """check_vdb.py RUN.h5 FOLDER
 
-Reads every level set that export_all.py wrote into FOLDER with OpenVDB's own vdb_print: a file for each frame, half
-the thickness deep, three voxels of outside, as large as the sheet."""
+Reads the level sets that export_all.py wrote into FOLDER, one for each frame, with OpenVDB's vdb_print: the lowest
+value must be minus half the thickness, the background three voxels, and the bounding box that of the sheet."""
 
 import os
 import re
@@ -27,7 +27,7 @@ def check_file(path, frame, thickness):
     assert "Name: surface" in text and "class: level set" in text, text
     assert np.isclose(number(text, "voxel size"), voxel)
     assert np.isclose(number(text, "Background value"), 3 * voxel)
-    # The centre of some voxel is nearly on the sheet.
+    # The centre of at least one voxel is nearly on the middle surface.
     assert -thickness / 2 - 1e-9 < number(text, "Min value") < -thickness / 2 + voxel / 4
     points = frame["vertex/position"][:]
     for found, bound, side in (("file_bbox_min", points.min(axis=0), -1), ("file_bbox_max", points.max(axis=0), 1)):

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plays the page of a recording in Chromium, without a display or a network, by real clicks and keys.
+"""Plays the page of a recording in Chromium, without a display or a network, by simulated clicks and keys.
 
 usage: check_view.py PAGE SUMMARY PICTURE
-PAGE: of sherd view; SUMMARY: JSON of the recording's frames (check_recording.py); PICTURE: a screenshot to write.
+PAGE: made by sherd view; SUMMARY: JSON of the recording's frames (check_recording.py); PICTURE: screenshot to write.
 """
 import json
 import pathlib
@@ -15,7 +15,7 @@ from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.ui import Select, WebDriverWait
 
-OWN_BYTES_MOST = 1.5e6  # of the page without its data
+OWN_BYTES_MOST = 1.5e6  # largest size of the page without its data
 
 
 def browser():
@@ -51,7 +51,7 @@ class Page:
         ActionChains(self.driver).send_keys(*keys).perform()
 
     def colours(self):
-        """How many different colours the picture has."""
+        """Returns the number of different colours in the picture."""
         return self.driver.execute_script("""
             const stage = document.getElementById("stage"), copy = document.createElement("canvas");
             [copy.width, copy.height] = [stage.width, stage.height];
@@ -74,13 +74,13 @@ def check_playing(page, frames):
         page.press(Keys.ARROW_RIGHT)
     assert page.shown("fragments") == frames[-1]["fragments"], page.shown("fragments")
     assert page.shown("faces") == frames[-1]["faces"]
-    page.press(Keys.ARROW_LEFT)  # backwards the topology is built anew
+    page.press(Keys.ARROW_LEFT)  # backwards the topology is rebuilt
     assert page.shown("fragments") == frames[-2]["fragments"]
     page.press(Keys.ARROW_RIGHT)
 
 
-# At a quarter of the way between all frames: how far the faces' corners are from the straight line between the
-# frames (m), and whether the fragments are those of the frame before.
+# A quarter of the way between all frames: the largest distance of faces' corners from the straight line between the
+# frames (m) and from the earlier frame (m), and whether the fragments are those of the earlier frame.
 BETWEEN = """
     const corners = ({ faces, place }) => Array.from(faces, v => [0, 1, 2].map(x => place[3 * v + x])).flat();
     let off = 0, moved = 0, kept = true;
@@ -96,7 +96,7 @@ BETWEEN = """
 
 
 def check_slow_motion(page, frames):
-    """The run of 30 ms lasts 6 s, moves on straight lines between frames, and as slowly as one chooses."""
+    """Checks that the run of 30 ms plays for 6 s or with the chosen slowdown, in straight lines between frames."""
     off, moved, kept = page.driver.execute_script(BETWEEN)
     assert off < 1e-7 < 1e-5 < moved and kept, (off, moved, kept)
 
@@ -148,7 +148,7 @@ def check_hiding(page, frames):
 
 
 def check_thickness(page, frames):
-    """A sheet with its thickness has two sides, and walls along every open edge."""
+    """Checks that a sheet with its thickness has two sides, and walls along every open edge."""
     thick = page.picture()
     assert page.shown("triangles") > 2 * frames[-1]["faces"], page.shown("triangles")
     page.element("thick").click()
@@ -159,7 +159,7 @@ def check_thickness(page, frames):
     assert page.picture() == thick
 
 
-# Where the vertices of fragments that are not hidden lie in the picture: the farthest from its middle, 1 at its edge.
+# Largest distances in x and y of vertices of visible fragments from the picture's centre, 1 at its edges.
 FARTHEST = """
     const place = surface.geometry.getAttribute("position"), shown = new Set(surface.geometry.index.array);
     let farthest = [0, 0];
@@ -171,8 +171,8 @@ FARTHEST = """
 
 
 def check_explosion(page):
-    """All fragments stay in the picture however far the slider is, in narrow windows and after zooming in; without
-    the explosion the camera is where it was."""
+    """Checks that all fragments stay in the picture for all positions of the slider, in narrow windows and after
+    zooming in, and that the camera returns when the explosion ends."""
     def explode(value):
         page.driver.execute_script("""
             element("explode").value = arguments[0];
@@ -210,7 +210,8 @@ def check_explosion(page):
 
 
 def check_bar(page):
-    """Only where colours mean numbers: a bar with its unit and round ticks in their order, and the moment."""
+    """Checks the colour scale, with unit and ordered ticks, and the caption with the time, which are there only while
+    colours stand for numbers."""
     def shown():
         return page.driver.execute_script("""
             const bar = document.getElementById("scale");
@@ -221,7 +222,7 @@ def check_bar(page):
     assert "strain (1/m)" in words, words
     assert len(heights) >= 3 and all(above - below < -10 for below, above in zip(heights, heights[1:])), heights
     assert caption.startswith("t = ") and "s, step " in caption, caption
-    page.press(Keys.ESCAPE)  # the list of colours must not take the arrow keys
+    page.press(Keys.ESCAPE)  # closes the list of colours, which would take the arrow keys
     page.driver.execute_script("document.activeElement.blur();")
     page.press(Keys.ARROW_LEFT)
     assert shown()[1] not in ("", caption), "the caption does not go with the frames"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Plays the page of a recording in which faces are split, in Chromium: between frames the pieces, which move rigidly
-and were flat at rest, go on straight lines, and in each frame all faces are there.
+and are flat at rest, must move in straight lines, and each frame must have all faces.
 
 usage: check_view_births.py PAGE RECORDING.h5"""
 import pathlib
@@ -28,7 +28,7 @@ def main(file, recording):
             frames = [run["frames"][name] for name in sorted(run["frames"])]
             shift = state(0)[2][0] - frames[0]["vertex/position"][0]
             extent = np.ptp(np.concatenate([frame["vertex/position"][:] for frame in frames]), axis=0).max()
-            for number in [*range(len(frames)), 0]:  # backwards the topology is built anew
+            for number in [*range(len(frames)), 0]:  # backwards the topology is rebuilt
                 frame = frames[number]
                 faces, fragments, place = state(number)
                 assert np.array_equal(faces, frame["face/vertices"][:]), number

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Looks at the sheets on the page of the recording of record_textured.py, in Chromium: every face that is seen has the
-colour that its file gives it, of the picture, of the material, or of its vertices.
+"""Checks the colours of sheets on the page of the recording of record_textured.py, in Chromium: every visible face must
+have the colour of its file, from the picture, the material, or its vertices.
 
 usage: check_view_look.py PAGE RECORDING.h5 PICTURE
 PICTURE: a screenshot to write."""
@@ -14,7 +14,7 @@ from selenium.webdriver.support.ui import Select
 from check_view import Page, browser
 from record_textured import LOWER, UPPER
 
-# Of places, seen from the middle of the page: their pixels' colours, and the number of the fragment there.
+# Colours of the pixels at places (m, in the page's coordinates), and the numbers of the fragments there.
 PIXELS = """
     const stage = document.getElementById("stage"), copy = document.createElement("canvas");
     [copy.width, copy.height] = [stage.width, stage.height];
@@ -32,7 +32,7 @@ MATERIALS = {"glaze": None, "clay": (218, 170, 124), "lost": (89, 203, 89)}  # K
 
 
 def expected_colours(frame):
-    """[F, 3] of the middles of faces, 0 to 255."""
+    """Returns the colours of the middles of faces, [F, 3], 0 to 255."""
     rest = frame["rest"]
     names = rest["surface_material_names"].asstr()[:]
     height = rest["texture"][:].reshape(-1, 3, 2)[:, :, 1].mean(axis=1)
@@ -45,14 +45,14 @@ def expected_colours(frame):
 
 
 def tone(colours):
-    """Without the light that falls on them."""
+    """Returns colours without their brightness, which depends on the light."""
     return colours / np.linalg.norm(colours, axis=1, keepdims=True)
 
 
 def check_frame(page, frame, shift):
     middles = frame["vertex/position"][:][frame["face/vertices"][:]].mean(axis=1) + shift
     pixels = np.array(page.driver.execute_script(PIXELS, middles.tolist()), dtype=float)
-    seen = pixels[:, 3] == frame["face/fragment"][:]  # others are behind another fragment
+    seen = pixels[:, 3] == frame["face/fragment"][:]  # other faces are hidden by a fragment
     assert seen.mean() > 0.9, f"{seen.mean():.0%} of the faces are seen"
     right = np.abs(tone(pixels[:, :3]) - tone(expected_colours(frame))).max(axis=1) < 0.05
     assert right[seen].mean() > 0.98, f"{right[seen].mean():.0%} of the faces have their colours"

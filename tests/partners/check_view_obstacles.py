@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Looks at the obstacle on the page of a recording, in Chromium: it is drawn where it was, in every frame.
+"""Checks the obstacle on the page of a recording, in Chromium: it must be drawn at its recorded or interpolated pose.
 
 usage: check_view_obstacles.py PAGE RUN.h5 PICTURE X0,Y0,Z0 X1,Y1,Z1
-PAGE: of sherd view RUN.h5, with a floor and one more obstacle; PICTURE: a screenshot to write; the obstacle's centre (m)
-in the first and in the last frame."""
+PAGE: made by sherd view RUN.h5, with a floor and one more obstacle; PICTURE: screenshot to write; X0,Y0,Z0, X1,Y1,Z1:
+the obstacle's centre (m) in the first and in the last frame."""
 import pathlib
 import sys
 
@@ -13,7 +13,7 @@ from selenium.webdriver.common.keys import Keys
 
 from check_view import Page, browser
 
-# The pixel of the picture where a point (m) of the recording is, and its colour there.
+# The picture's pixel at a point (m) of the recording, and its colour.
 PIXEL = """
     const middle = arguments[0].map((x, k) => x - arguments[1][k] + recording.low[k]);
     const seen = new THREE.Vector3(...middle).project(camera), stage = document.getElementById("stage");
@@ -26,7 +26,7 @@ PIXEL = """
 
 
 def obstacle_is_at(page, centre):
-    """Whether a pixel there is of an obstacle: it changes when the page is told to draw without it."""
+    """Returns whether the obstacle is seen at a place: whether the pixel changes when the page is drawn without it."""
     place = [float(x) for x in centre.split(",")]
     with_it = page.driver.execute_script(PIXEL, place, page.lowest)
     page.driver.execute_script("obstacles[0].visible = false; draw();")
@@ -36,7 +36,7 @@ def obstacle_is_at(page, centre):
 
 
 def lowest_corner(recording):
-    """Of the box around the sheets in all frames, m: where the page's positions count from."""
+    """Returns the lowest corner (m) of the box around the sheets in all frames, which is recording.low on the page."""
     with h5py.File(recording) as file:
         return np.min([frame["vertex/position"][:].min(axis=0) for frame in file["frames"].values()], axis=0).tolist()
 

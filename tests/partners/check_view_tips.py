@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plays the page of a recording that has tips of cracks in Chromium: they stand where they were recorded, are told when
+"""Plays the page of a recording with crack tips in Chromium: tips must be where they were recorded, be described when
 the pointer is on them, and can be switched off.
 
 usage: check_view_tips.py PAGE RECORDING.h5"""
@@ -12,14 +12,15 @@ from selenium.webdriver.common.action_chains import ActionChains
 
 from check_view import Page, browser
 
-# Where a tip is on the picture, from its middle.
+# Place of a tip in the picture, pixels from its centre.
 SEEN = """
     const tip = shownTips()[arguments[0]], seen = new THREE.Vector3(tip.x, tip.y, tip.z).project(camera);
     return [seen.x * window.innerWidth / 2, -seen.y * window.innerHeight / 2];"""
 
 
 def check_places(page, run):
-    """Frame by frame; seen from the middle of the action, which is the same for all. Returns the last frame with tips."""
+    """Checks the tips of all frames; the page's positions differ from the recorded ones by a constant shift. Returns
+    the last frame with tips."""
     tips, shifts, last = run["tips"], [], None
     for number, name in enumerate(sorted(run["frames"])):
         rows = np.flatnonzero(tips["step"][:] == run["frames"][name].attrs["step"])

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """export_all.py SHERD RUN.h5 FOLDER
 
-Exports a recording into FOLDER (made anew) in every format, for check_blender.py, check_pvd.py and check_vdb.py."""
+Exports a recording into FOLDER, which is emptied before, in every format, for the checks of other programs."""
 
 import os
 import shutil
@@ -14,7 +14,7 @@ EXPORTS = [
     ("stl", "run.stl"),
     ("pvd", "run.pvd"),
     ("pc2", "cache.pc2", "--slow", "250"),
-    ("mdd", "cache.mdd", "--slow", "250", "--force"),  # with the same cache.obj
+    ("mdd", "cache.mdd", "--slow", "250", "--force"),  # overwrites cache.obj with the same content
     ("glb", "rigid.glb", "--slow", "250"),
     ("glb", "morph.glb", "--slow", "250", "--animate", "morph"),
     ("glb", "solid.glb", "--solid"),

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """record_textured.py SHERD FOLDER
 
-Makes FOLDER anew with a recording, run.h5, of two plates that break: one with texture coordinates and three materials,
-of which one has a picture and one names a picture that is not there, and one with colours of its vertices."""
+Makes a recording, run.h5, in FOLDER, which is emptied before: two plates that break, one with texture coordinates and
+three materials, of which one has a picture and one refers to a missing one, and one with colours of vertices."""
 
 import os
 import shutil
@@ -43,12 +43,12 @@ map_Kd lost.png
 """
 
 CELLS = 10
-FIRST_ROWS = {0: "glaze", 5: "clay", 8: "lost"}  # of squares, from smaller x on
+FIRST_ROWS = {0: "glaze", 5: "clay", 8: "lost"}  # materials by their first row of squares, in the order of x
 UPPER, LOWER = (20, 60, 180), (200, 150, 20)  # halves of the picture
 
 
 def png(rows):
-    """rows: of colours, from the top."""
+    """Returns a PNG file. rows: colours (red, green, blue), from the top."""
     def chunk(kind, data):
         return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
 
@@ -58,12 +58,12 @@ def png(rows):
 
 
 def points():
-    """Of a square of 0.2 m about the origin, as shares of it."""
+    """Returns the grid points of a unit square, (u, v), which the plates scale to 0.2 m about the origin."""
     return [(i / CELLS, j / CELLS) for i in range(CELLS + 1) for j in range(CELLS + 1)]
 
 
 def squares():
-    """Numbers of points, counterclockwise."""
+    """Yields the points of each square, counterclockwise."""
     for i in range(CELLS):
         for j in range(CELLS):
             a = i * (CELLS + 1) + j
@@ -82,7 +82,7 @@ def plate():
 
 
 def painted():
-    """Red grows with x, green with y."""
+    """Returns the .ply file of a square whose red increases with x and green with y."""
     head = ["ply", "format ascii 1.0", f"element vertex {len(points())}"]
     head += [f"property {kind}" for kind in ("float x", "float y", "float z", "uchar red", "uchar green", "uchar blue")]
     head += [f"element face {CELLS * CELLS}", "property list uchar int vertex_indices", "end_header"]

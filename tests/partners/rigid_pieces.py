@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Where the vertices of a recording must be between its frames when each piece of it moves rigidly."""
+"""Reference positions between the frames of a recording whose pieces move rigidly."""
 import numpy as np
 
 
 def affine(rest, places):
-    """The map of least squares from places at rest, in a plane, to others."""
+    """Returns the affine map from places at rest, in the plane z = 0, to other places, by least squares."""
     return np.linalg.lstsq(np.column_stack([rest[:, :2], np.ones(len(rest))]), places, rcond=None)[0]
 
 
@@ -20,7 +20,7 @@ def at_rest(frame):
 
 
 def between(file, number, share):
-    """Places of the vertices of frame number + 1 at a share of the way from the frame before."""
+    """Returns the positions of the vertices of frame `number` + 1 at a share of the way from frame `number`."""
     names = sorted(file["frames"])
     earlier, later = (file["frames"][name] for name in names[number : number + 2])
     parent = dict(zip(file["events/fragment/fragment"][:], file["events/fragment/parent"][:]))

@@ -18,7 +18,7 @@ from paraview.simple import (
     XDMFReader,
 )
 
-# Light to dark, neighbours far apart: fragments are numbered in an order that means nothing.
+# Neighbouring colours differ strongly, because neighbouring numbers of fragments have no meaning.
 PALETTE = ["#4e79a7", "#f28e2b", "#76b7b2", "#e15759", "#59a14f", "#edc948", "#b07aa1", "#9c755f", "#ff9da7", "#bab0ac"]
 
 

@@ -9,7 +9,7 @@
 
 namespace sherd::test {
 
-/// Of a run of advanced_frames().
+/// Header of a run of advanced_frames().
 inline RecordingHeader advanced_header(const Snapshot& first) {
     RecordingHeader header;
     header.scene_file = "advanced.toml";
@@ -23,8 +23,7 @@ inline RecordingHeader advanced_header(const Snapshot& first) {
     return header;
 }
 
-/// Frames of a sheet that changes and breaks; linear: where the sheet is, a linear map of where it lies at
-/// rest.
+/// Frames of a sheet that changes and fractures. linear: map from the rest shape to the positions.
 inline std::vector<Snapshot> advanced_frames(unsigned shape, unsigned seed, const Matrix3d& linear) {
     BreakableShell sheet({directed_input(shape, seed)});
     Fragments fragments(sheet.mesh(), sheet.face_areas());

@@ -9,13 +9,12 @@
 
 namespace sherd::test {
 
-/// m, between 9 and 42 mm on the sheets of drawn_sheet().
+/// Thickness, m: between 9 and 42 mm on the sheets of drawn_sheet().
 inline double linear_thickness(const Eigen::Vector3d& at) {
     return 0.01 + 0.002 * at.x() + 0.003 * at.y() - 0.001 * at.z();
 }
 
-/// A sheet of drawn_sheet() of a material and a strength with directions; half of them are of uneven
-/// thickness.
+/// Sheet of drawn_sheet() with an orthotropic material and strength; of uneven thickness for odd seeds.
 inline SheetInput directed_input(unsigned shape, unsigned seed) {
     SheetInput input;
     input.mesh = drawn_sheet(shape, seed);
@@ -37,8 +36,8 @@ inline SheetInput directed_input(unsigned shape, unsigned seed) {
     return input;
 }
 
-/// The same sheet made anew from the mesh and the thickness that it has now. Edges that have failed and are
-/// still closed fail.
+/// Returns the sheet rebuilt from its present mesh and thickness. Edges that have failed without opening
+/// fail.
 inline BreakableShell made_anew(const BreakableShell& sheet, SheetInput input) {
     input.mesh = sheet.mesh();
     input.axes.assign(sheet.axes().begin(), sheet.axes().end());
@@ -55,12 +54,12 @@ inline BreakableShell made_anew(const BreakableShell& sheet, SheetInput input) {
     return anew;
 }
 
-/// Makes edges in a sheet, which may fail or not, from tips of cracks or from anywhere.
+/// Makes edges in a sheet, which may then fail, from crack tips or from any vertex.
 class Advances {
   public:
     Advances(BreakableShell& sheet, unsigned seed) : sheet(sheet), random(seed) {}
 
-    /// Nothing if the direction pointed off the sheet.
+    /// Returns nothing if the direction points off the sheet.
     std::optional<BreakableShell::Advanced> next() {
         const Vertex tip = chosen_tip();
         Vector3d direction = random.matrix<Vector3d>(1);
@@ -72,7 +71,7 @@ class Advances {
         options.snap = random.below(4) > 0;
         return sheet.advance(tip, direction, options);
     }
-    /// The edge fails, if it can.
+    /// Lets the edge fail, if it can.
     std::optional<BreakableShell::Change> fail(Halfedge h) {
         const Edge edge = sheet.mesh().edge(h);
         if (sheet.cracks().state(edge) != EdgeState::interior) return std::nullopt;

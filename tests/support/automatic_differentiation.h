@@ -7,7 +7,7 @@
 
 namespace sherd::test {
 
-/// A scalar that carries its first and second derivatives by N variables.
+/// Scalars with first, and with first and second, derivatives by N variables.
 template <int N>
 using Gradient = Eigen::AutoDiffScalar<Eigen::Matrix<double, N, 1>>;
 template <int N>
@@ -21,8 +21,8 @@ struct Derivatives {
     Eigen::Matrix<double, N, N> hessian;
 };
 
-/// Differentiates `f`, which takes a Matrix<Curved<N>, rows, columns> and gives a Curved<N>, at x; coordinate
-/// fastest.
+/// Differentiates `f`, which takes a Matrix<Curved<N>, rows, columns> and returns a Curved<N>, at x;
+/// coordinate fastest.
 template <class Function, int Rows, int Columns>
 Derivatives<Rows * Columns> differentiate(const Function& f, const Eigen::Matrix<double, Rows, Columns>& x) {
     constexpr int N = Rows * Columns;

@@ -9,7 +9,7 @@
 
 namespace sherd::test {
 
-/// The bytes that a text in base64 stands for, up to the first '='. Throws std::invalid_argument.
+/// Returns the bytes of a text in base64, up to the first '='. Throws std::invalid_argument.
 inline std::string from_base64(const std::string& text) {
     const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     if (text.size() % 4 != 0) throw std::invalid_argument("base64 comes in groups of four");
@@ -29,7 +29,7 @@ inline std::string from_base64(const std::string& text) {
     return bytes;
 }
 
-/// The numbers whose bytes, as they lie in memory, stand in base64.
+/// Returns the numbers whose bytes in memory are given in base64.
 template <class Number>
 std::vector<Number> decoded(const std::string& text) {
     const std::string bytes = from_base64(text);

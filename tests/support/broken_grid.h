@@ -10,7 +10,7 @@
 
 namespace sherd::test {
 
-/// A frame of one sheet without a crack, 1 mm thick, of 1 kg a square metre.
+/// Frame of one sheet without a crack, 1 mm thick, 1 kg/m^2.
 inline Snapshot whole_sheet(const Positions& position, const std::vector<std::array<Index, 3>>& faces) {
     Snapshot frame;
     std::vector<double> area;
@@ -49,7 +49,7 @@ inline Snapshot grid_sheet(Index columns, Index rows, double edge = 1) {
     return whole_sheet(position, faces);
 }
 
-/// A disk about the origin: vertex 0 in the middle, and rings of `sectors` vertices at the radii 1, 2, ...,
+/// Disk about the origin: vertex 0 in the centre, and rings of `sectors` vertices at the radii 1, 2, ...,
 /// `rings`. Vertex `sector` of a ring, from 1, at the angle 2 pi sector / sectors is polar_vertex().
 inline Index polar_vertex(Index sectors, Index ring, Index sector) {
     return 1 + (ring - 1) * sectors + sector % sectors;
@@ -71,7 +71,7 @@ inline Snapshot polar_sheet(Index rings, Index sectors) {
     return whole_sheet(position, faces);
 }
 
-/// Lets the edges along a path of vertices fail, still closed.
+/// Lets the edges along a path of vertices fail without opening.
 inline void crack(Snapshot& frame, std::span<const Index> path) {
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {
         frame.edges.push_back({path[i], path[i + 1]});

@@ -11,7 +11,7 @@
 
 namespace sherd::test {
 
-/// A scene that is given as text, and what is built of it.
+/// Scene from a text, and its simulation's input.
 struct BuiltText {
     Scene scene;
     BuiltScene built;

@@ -6,7 +6,7 @@
 
 namespace sherd::test {
 
-/// The shell and the collider as one surface of two sheets, as at `time`.
+/// Returns the shell and the collider at `time` as one surface of two sheets.
 inline Shell together(const Shell& shell, const Obstacle& obstacle, double time) {
     const Positions collider = collider_positions({obstacle}, time);
     const Index first = static_cast<Index>(collider.cols());
@@ -23,7 +23,7 @@ inline Shell together(const Shell& shell, const Obstacle& obstacle, double time)
     return both;
 }
 
-/// m, between a sheet and an obstacle's surface at `time`; negative if they cut each other.
+/// Gap, m, between a sheet and an obstacle's surface at `time`; negative if they intersect.
 inline double gap(const Shell& shell, const Obstacle& obstacle, double time) {
     const Shell both = together(shell, obstacle, time);
     return intersections(both, both.position) > 0 ? -1 : smallest_distance(both, both.position);

@@ -27,7 +27,7 @@ inline LongVector closest_on_segment(const LongVector& p, const LongVector& a, c
 }
 
 /// Smallest distance of the two elements, by ternary search along one of them (distance to a convex set is
-/// convex), in long double: slow, and without a single case.
+/// convex), in long double: slow, but without case distinctions.
 inline long double searched_distance(PairKind kind, const LongPositions& x) {
     const auto search = [](const auto& f) {
         long double low = 0, high = 1;
@@ -50,7 +50,8 @@ inline long double searched_distance(PairKind kind, const LongPositions& x) {
     }));
 }
 
-/// Pairs of every kind of position: anywhere, near, touching at corners, parallel, coplanar, needles, points.
+/// Pairs in positions of every kind: anywhere, near, touching at corners, parallel, coplanar, needles,
+/// points.
 inline std::vector<PairPositions> adversarial_pairs(int random_ones) {
     Random random(7);
     std::vector<PairPositions> pairs;

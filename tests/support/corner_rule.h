@@ -9,19 +9,19 @@
 
 namespace sherd::test {
 
-/// The order-free statement of the opening rule, by union-find over the corners of a triangle list; shares no
-/// code with the engine and knows no halfedge. A corner is 3 * face + its place in the face.
+/// Opening rule in a form independent of the order of failures, by union-find over the corners of a triangle
+/// list, without halfedges or code in common with CrackMesh. A corner is 3 * face + its place in the face.
 class CornerRule {
   public:
     using Triangle = std::array<int, 3>;
     using VertexPair = std::pair<int, int>;
 
-    /// faces: a manifold, has to outlive the rule. failed: ordered() pairs of their vertices.
+    /// faces: a manifold, must outlive the rule. failed: ordered() pairs of their vertices.
     CornerRule(const std::vector<Triangle>& faces, std::vector<VertexPair> failed) : faces(faces) {
         std::sort(failed.begin(), failed.end());
         parent.resize(3 * faces.size());
         std::iota(parent.begin(), parent.end(), 0);
-        std::vector<std::pair<VertexPair, int>> sides;  // each face's three
+        std::vector<std::pair<VertexPair, int>> sides;  // three of each face
         sides.reserve(parent.size());
         for (int c = 0; c < static_cast<int>(parent.size()); ++c)
             sides.push_back({ordered(faces[c / 3][c % 3], faces[c / 3][(c + 1) % 3]), c / 3});
@@ -46,7 +46,7 @@ class CornerRule {
     }
 
     static VertexPair ordered(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
-    /// Number that two corners share if and only if they are one vertex; below 3 * faces.
+    /// Returns a number, below 3 * faces, that two corners share if and only if they are one vertex.
     int vertex(int face, int place) { return root(3 * face + place); }
     int vertex_count() const {
         int count = 0;
@@ -54,7 +54,7 @@ class CornerRule {
         return count;
     }
     bool is_open(int a, int b) const { return std::binary_search(open.begin(), open.end(), ordered(a, b)); }
-    /// Whether only one face had the edge from the start.
+    /// Whether the edge had only one face from the start.
     bool is_border(int a, int b) const {
         return std::binary_search(border.begin(), border.end(), ordered(a, b));
     }

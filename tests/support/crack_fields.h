@@ -7,8 +7,8 @@
 
 namespace sherd::test {
 
-// A crack from -a to a on the x axis in an infinite sheet, isotropic with Young's modulus 1 (Muskhelishvili,
-// Some Basic Problems of the Mathematical Theory of Elasticity, 1953, on which these formulas rest).
+// Crack from -a to a on the x axis in an infinite sheet, isotropic with Young's modulus 1 (source:
+// Muskhelishvili, Some Basic Problems of the Mathematical Theory of Elasticity, 1953).
 
 using Complex = std::complex<double>;
 
@@ -42,8 +42,8 @@ inline double crack_deflection(const Vector2d& at, double a, double poisson, con
     return ((std::conj(z) - z) * phi + of_phi + of_omega).real();
 }
 
-/// Deflection, m, near the tip of a crack on the negative x axis, of a plate with Young's modulus 1: that of
-/// plate_field().
+/// Deflection, m, near the tip of a crack on the negative x axis, of a plate with Young's modulus 1: the
+/// field of plate_field().
 inline double tip_deflection(const Vector2d& at, double poisson, double thickness, double first,
                              double second) {
     const double kappa = (3 + poisson) / (1 - poisson);

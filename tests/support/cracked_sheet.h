@@ -16,8 +16,8 @@
 
 namespace sherd::test {
 
-/// A square sheet, 6 wide, about the origin, with a crack from -1 to 1 on the x axis, and what its theory
-/// needs.
+/// Square sheet, 6 m from its centre to its sides, about the origin, with a crack from -1 to 1 on the x axis,
+/// its tips and material.
 struct CrackedSheet {
     Shell shell;
     std::vector<CrackTip> tips;  ///< at -1, and at 1
@@ -27,7 +27,7 @@ struct CrackedSheet {
 inline constexpr double half_width = 6;
 inline const Material cracked_material{.density = 1, .thickness = 0.01, .young = 1, .poisson = 0.3};
 
-/// [V] whether vertices are on the outline, or nearer to it than `margin`.
+/// Flags [V] of vertices on the outline, or nearer to it than `margin`.
 inline std::vector<char> near_outline(const Shell& shell, double margin) {
     std::vector<char> is_near(shell.rest.cols());
     for (Index v = 0; v < shell.rest.cols(); ++v)
@@ -35,7 +35,7 @@ inline std::vector<char> near_outline(const Shell& shell, double margin) {
     return is_near;
 }
 
-/// The tips at given places, which are the only ones.
+/// Returns the tips at the given places, which are all tips of the sheet.
 inline std::vector<CrackTip> tips_at(const Shell& shell, const std::vector<Vector3d>& places) {
     const VertexFaces around(shell);
     std::vector<char> foreign = near_outline(shell, 1e-9);
@@ -66,7 +66,7 @@ inline BreakableShell sheet_of(const Mesh& mesh, const Material& material = crac
     return BreakableShell({input});
 }
 
-/// slit: along the x axis, from and to; tips: those of its ends that are inside.
+/// slit: its two ends on the x axis. Tips are at the ends within the sheet.
 inline CrackedSheet slit_sheet(double edge_length, unsigned seed, std::array<double, 2> slit) {
     const Mesh mesh = square_mesh(edge_length, seed, {{{slit[0], 0}, {slit[1], 0}}});
     CrackedSheet sheet{sheet_of(mesh).mechanics(), {}, cracked_material};
@@ -81,7 +81,7 @@ inline CrackedSheet cracked_sheet(double edge_length, unsigned seed) {
     return slit_sheet(edge_length, seed, {-1, 1});
 }
 
-/// The same with the crack along edges of a mesh that knows nothing of it.
+/// Like cracked_sheet(), with the crack along edges of a mesh that was made without it.
 inline CrackedSheet zigzag_sheet(double edge_length, unsigned seed) {
     BreakableShell breakable = sheet_of(square_mesh(edge_length, seed, {}));
     const std::vector<Edge> path = edge_path(breakable.mesh(), std::vector<Vector3d>{{-1, 0, 0}, {1, 0, 0}});
@@ -91,7 +91,7 @@ inline CrackedSheet zigzag_sheet(double edge_length, unsigned seed) {
     return sheet;
 }
 
-/// A place at rest; on the x axis its y is 0 or -0, as its faces lie above or below.
+/// Place at rest; on the x axis its y is 0 or -0 for a vertex of faces above or below.
 inline Vector2d sided_place(const Shell& shell, const VertexFaces& around, Index vertex) {
     Vector2d at = shell.rest.col(vertex).head<2>();
     double above = 0;
@@ -101,8 +101,8 @@ inline Vector2d sided_place(const Shell& shell, const VertexFaces& around, Index
     return at;
 }
 
-/// The equilibrium of some energies, where fixed vertices are moved by `displacement` and the others are free
-/// along the directions of `guide`.
+/// Equilibrium of some energies, with fixed vertices moved by `displacement`, and the others free along the
+/// directions of `guide`.
 template <class Displacement>
 Positions equilibrium(Shell shell, const std::vector<char>& fixed, const Matrix3d& guide,
                       const std::vector<Energy*>& energies, Displacement displacement) {
@@ -124,8 +124,8 @@ Positions equilibrium(Shell shell, const std::vector<char>& fixed, const Matrix3
     return x;
 }
 
-/// The sheet under a remote stress (xx, yy, xy), as a share of Young's modulus: its outline is where it is in
-/// an infinite one.
+/// Positions of the sheet under a remote stress (xx, yy, xy), as a share of Young's modulus: the outline is
+/// moved as in an infinite sheet.
 inline Positions stretched(const CrackedSheet& sheet, const Vector3d& stress) {
     MembraneEnergy membrane(sheet.shell.triangles);
     return equilibrium(sheet.shell, near_outline(sheet.shell, 1e-9), Vector3d(1, 1, 0).asDiagonal(),
@@ -136,8 +136,8 @@ inline Positions stretched(const CrackedSheet& sheet, const Vector3d& stress) {
                        });
 }
 
-/// The sheet with a remote curvature (xx, yy, xy), 1/m, linearly: its outer rows, `margin` wide, are where
-/// they are in an infinite one.
+/// Positions of the sheet with a remote curvature (xx, yy, xy), 1/m, linearly: the outer rows, `margin` wide,
+/// are moved as in an infinite sheet.
 inline Positions bent(const CrackedSheet& sheet, double margin, const Vector3d& curvature) {
     CoupledBending bending(sheet.shell, {});
     return equilibrium(sheet.shell, near_outline(sheet.shell, margin), Vector3d(0, 0, 1).asDiagonal(),
@@ -146,7 +146,7 @@ inline Positions bent(const CrackedSheet& sheet, double margin, const Vector3d& 
                        });
 }
 
-/// The mean of some numbers, and how they scatter about it.
+/// Mean and standard deviation.
 struct Spread {
     double mean, deviation;
 };

@@ -7,7 +7,7 @@
 
 namespace sherd::test {
 
-/// A rectangle of `count` x 2 squares in the plane z = 0, about the origin.
+/// Rectangle of `count` x 2 rectangles in the plane z = 0, about the origin.
 inline Positions strip_points(double length, double width, int count) {
     Positions points(3, 3 * (count + 1));
     for (int i = 0; i <= count; ++i)
@@ -27,7 +27,7 @@ inline std::vector<std::array<Index, 3>> strip_triangles(int count) {
     return triangles;
 }
 
-/// samples: [3, P] m, so many seconds apart.
+/// samples: [3, P] m. interval: s.
 inline Obstacle deforming(const std::vector<Positions>& samples,
                           const std::vector<std::array<Index, 3>>& triangles, double interval,
                           bool smooth = false) {
@@ -43,7 +43,7 @@ inline Obstacle deforming(const std::vector<Positions>& samples,
     return obstacle;
 }
 
-/// A belt that moves along x and is stretched meanwhile, to `stretch` times its length in 1 s.
+/// Belt that moves along x and is stretched meanwhile, to `stretch` times its length in 1 s.
 inline Obstacle belt(double speed, double stretch, double friction) {
     std::vector<Positions> samples;
     for (int s = 0; s <= 40; ++s) {

@@ -15,7 +15,8 @@ inline bool is_flat_sheet(unsigned shape) {
     return shape == 0 || shape > 2;
 }
 
-/// A small sheet: flat, a tube, closed, a grid of squares; or flat with slivers and vertices of any degree.
+/// Small sheet by shape: flat, a tube, closed, a grid of squares; or flat with slivers and vertices of any
+/// degree.
 inline Mesh drawn_sheet(unsigned shape, unsigned seed) {
     switch (shape) {
         case 0:

@@ -8,8 +8,8 @@
 
 namespace sherd::test {
 
-/// Opens an HDF5 file to be changed as another program changes it: at once, and closed for good with the
-/// handle.
+/// Opens an HDF5 file to be changed as by another program: changes are immediate, and the file is closed with
+/// the handle.
 inline hdf5::Handle open_to_edit(const std::filesystem::path& file) {
     const hdf5::Handle access(H5Pcreate(H5P_FILE_ACCESS));
     H5Pset_fclose_degree(access, H5F_CLOSE_STRONG);

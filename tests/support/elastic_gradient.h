@@ -5,7 +5,7 @@
 
 namespace sherd::test {
 
-/// Of the elastic energies, one after the other, at x, [3, V].
+/// Gradient of all elastic energies at x, [3, V].
 inline Positions elastic_gradient(ShellEnergies& energies, const Positions& x) {
     Positions sum = Positions::Zero(3, x.cols());
     for (const Energy* energy : energies.elastic()) energy->add_gradient(x, sum);

@@ -13,7 +13,7 @@
 
 namespace sherd::test {
 
-/// A recorded synthetic run in a folder of its own.
+/// Recorded synthetic run in a folder of its own.
 class Export : public ::testing::Test {
   protected:
     Export() : run(synthetic_run()) { record(run, folder.path / "run.h5"); }
@@ -50,7 +50,7 @@ class Export : public ::testing::Test {
     SyntheticRun run;
 };
 
-/// Reads numbers out of bytes, in this machine's order, one after the other.
+/// Reads numbers out of bytes one after the other, in the byte order of this machine.
 class Bytes {
   public:
     explicit Bytes(std::string data, std::size_t place = 0) : data(std::move(data)), place(place) {}

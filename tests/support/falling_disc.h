@@ -5,7 +5,7 @@
 
 namespace sherd::test {
 
-/// The scene of a small disc that falls for two milliseconds: what a run does that is soon over.
+/// Scene of a small disc that falls for two milliseconds: a short run.
 inline const std::string falling_disc = R"(duration = 0.002
 [sheet.plate]
 mesh = { generate = "disc", radius = 0.1, edge_length = 0.03 }

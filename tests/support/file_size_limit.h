@@ -8,7 +8,7 @@
 
 namespace sherd::test {
 
-/// A file size limit for this process, lifted at the end of the test.
+/// File size limit for this process, lifted at the end of the test.
 class FileSizeLimit {
   public:
     explicit FileSizeLimit(std::uintmax_t bytes) {

@@ -10,7 +10,7 @@
 
 namespace sherd::test {
 
-/// The frame's mesh, built anew from its faces; those that do not fit a 2-manifold are not in it.
+/// Mesh of the frame, rebuilt from its faces, without those that do not fit a 2-manifold.
 inline Mesh frame_mesh(const Snapshot& frame) {
     Mesh mesh;
     for (Eigen::Index v = 0; v < frame.position.cols(); ++v)
@@ -19,14 +19,13 @@ inline Mesh frame_mesh(const Snapshot& frame) {
     return mesh;
 }
 
-/// Pairs of faces of a frame that have more in common than they share as neighbours.
+/// Pairs of faces of a frame that intersect beyond what neighbours share.
 struct FrameIntersections {
-    std::vector<std::array<Face, 2>> passing;  ///< through each other: there must be none
-    std::size_t lips =
-        0;  ///< at a vertex that a crack has split, where they lie on each other until they part
+    std::vector<std::array<Face, 2>> passing;  ///< through each other: must be empty
+    std::size_t lips = 0;  ///< at a split vertex, where crack faces (lips) coincide until they separate
 };
 
-/// By exact predicates.
+/// Finds the intersections by exact predicates.
 inline FrameIntersections frame_intersections(const Snapshot& frame) {
     FrameIntersections found;
     for (const auto& pair : self_intersections(frame_mesh(frame))) {
@@ -41,7 +40,8 @@ inline FrameIntersections frame_intersections(const Snapshot& frame) {
     return found;
 }
 
-/// Faces of a frame that a recorded obstacle passes through, of all obstacles as they stand in it.
+/// Number of faces of a frame that intersect a recorded obstacle, for all obstacles in their poses of this
+/// frame.
 inline std::size_t faces_in_obstacles(const Snapshot& frame, const std::vector<RecordedObstacle>& obstacles,
                                       const std::vector<Eigen::Isometry3d>& poses) {
     const Mesh mesh = frame_mesh(frame);

@@ -10,7 +10,7 @@
 
 namespace sherd::test {
 
-/// A free box with a surface. size, centre: m; density: kg/m^3.
+/// Free box with a surface. size, centre: m; density: kg/m^3.
 inline RigidBody solid_body(const Vector3d& size, const Vector3d& centre, double density = 2000) {
     RigidBody box = rigid_box(size, density);
     box.surface = box_surface(Vector3d::Zero(), 0.5 * size);
@@ -19,12 +19,12 @@ inline RigidBody solid_body(const Vector3d& size, const Vector3d& centre, double
     return box;
 }
 
-/// By an eighth of a turn, which takes a box from a face down to an edge down.
+/// Rotation by an eighth of a turn, which takes a box from a face down to an edge down.
 inline Matrix3d turn_about(const Vector3d& axis) {
     return Eigen::AngleAxisd(std::numbers::pi / 4, axis).toRotationMatrix();
 }
 
-/// A long box, edge up: its upper edge is along y at height zero.
+/// Long box, edge up: its upper edge is along y at height zero.
 inline Obstacle roof(double x) {
     const double half = 0.01;
     Obstacle roof = solid_box(Vector3d::Zero(), Vector3d(half, 0.03, half), 3e10, 0.3);

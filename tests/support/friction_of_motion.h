@@ -6,8 +6,8 @@
 
 namespace sherd::test {
 
-/// In a step in which an obstacle moves along x: friction is the derivative of its value, and takes the sheet
-/// along.
+/// Checks a step in which an obstacle moves along x: friction must be the derivative of its value, and take
+/// the sheet along.
 inline void expect_friction_along_x(const Shell& shell, SheetContact& contact, const StepContext& moved) {
     contact.begin(moved);
     SheetFriction friction(shell, contact, 0);

@@ -13,7 +13,7 @@ namespace sherd::test {
 
 using Cloud = std::vector<Eigen::Vector3f>;
 
-/// A .glb file taken apart.
+/// Content of a .glb file.
 struct Glb {
     explicit Glb(const std::string& content) {
         Bytes bytes(content);

@@ -5,7 +5,7 @@
 
 namespace sherd::test {
 
-/// Of four vertices two, the second and the third, that are held together along x by a force, N: [3, 4].
+/// Forces [3, 4] that hold the second and the third of four vertices together along x, each by `force`, N.
 inline Positions held_together(double force) {
     Positions kept = Positions::Zero(3, 4);
     kept(0, 1) = force;
@@ -13,7 +13,7 @@ inline Positions held_together(double force) {
     return kept;
 }
 
-/// How they move apart by `way`, m: [3, 4].
+/// Displacements [3, 4] that move these two vertices apart by `way`, m.
 inline Positions parted_by(double way) {
     return -0.5 * way * held_together(1);
 }

@@ -7,8 +7,8 @@
 
 namespace sherd::test {
 
-/// The paper's formulas, written down as they stand there and for any scalar, as truth for the tests. No code
-/// is shared with core/.
+/// Formulas of the paper, literally and for any scalar type, as reference for the tests. No code is shared
+/// with core/.
 template <class Scalar>
 using Vector = Eigen::Matrix<Scalar, 3, 1>;
 template <class Scalar>

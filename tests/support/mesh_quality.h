@@ -11,7 +11,7 @@
 
 namespace sherd::test {
 
-/// How good the triangles of a mesh are. Angles in degrees.
+/// Quality of the triangles of a mesh. Angles in degrees.
 struct MeshQuality {
     double smallest_angle = 180;
     double mean_smallest_angle = 0;

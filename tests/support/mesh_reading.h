@@ -21,7 +21,7 @@ class MeshReading : public ::testing::Test {
         return read_mesh(directory.write(name, text), options, warnings);
     }
 
-    /// The message of the Error that reading throws.
+    /// Returns the message of the Error that reading throws.
     std::string failure(const std::string& name, const std::string& text,
                         const ReadMeshOptions& options = {}) {
         try {
@@ -33,7 +33,7 @@ class MeshReading : public ::testing::Test {
         return "no error";
     }
 
-    /// Whether the failure names the file and holds `part`.
+    /// Expects a failure whose message has the name of the file and `part`.
     void expect_failure(const std::string& name, const std::string& text, const std::string& part,
                         const ReadMeshOptions& options = {}) {
         const std::string message = failure(name, text, options);

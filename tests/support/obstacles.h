@@ -14,12 +14,12 @@ Obstacle obstacle(const Solid& solid, double young = 3e10, double friction = 0) 
     return {{std::make_shared<Solid>(solid), nullptr, young, friction}, {}};
 }
 
-/// The plane z = 0.
+/// Plane z = 0.
 inline Obstacle floor(double young = 3e10, double friction = 0) {
     return obstacle(PlaneShape{}, young, friction);
 }
 
-/// A box of twelve triangles.
+/// Box of twelve triangles.
 inline std::shared_ptr<const ColliderSurface> box_surface(const Vector3d& centre, const Vector3d& half) {
     Positions points(3, 8);
     for (int i = 0; i < 8; ++i)
@@ -34,7 +34,7 @@ inline std::shared_ptr<const ColliderSurface> box_surface(const Vector3d& centre
     return std::make_shared<ColliderSurface>(collider_surface(points, triangles));
 }
 
-/// A box with a surface.
+/// Box with a surface.
 inline Obstacle solid_box(const Vector3d& centre, const Vector3d& half, double young = 3e10,
                           double friction = 0) {
     Obstacle box = obstacle(BoxShape(centre, half), young, friction);
@@ -42,7 +42,7 @@ inline Obstacle solid_box(const Vector3d& centre, const Vector3d& half, double y
     return box;
 }
 
-/// A sphere about the origin, from an octahedron whose triangles are cut in four so many times.
+/// Sphere about the origin, from an octahedron whose triangles are divided into four, `times` times.
 inline std::shared_ptr<const ColliderSurface> sphere_surface(double radius, int times) {
     std::vector<Vector3d> points{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
     std::vector<std::array<Index, 3>> triangles{{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
@@ -67,7 +67,7 @@ inline std::shared_ptr<const ColliderSurface> sphere_surface(double radius, int 
     return std::make_shared<ColliderSurface>(collider_surface(all, triangles));
 }
 
-/// A lone vertex, which a step treats as a ball of mass 0.1 kg, 1 cm thick.
+/// Single vertex, which acts like a ball of mass 0.1 kg, 1 cm thick.
 inline Shell lone_vertex(const Vector3d& at) {
     Shell shell;
     resize_vertices(shell, 1);

@@ -5,7 +5,7 @@
 
 namespace sherd::test {
 
-/// The scene of a plate, and far below it an obstacle `thing`, whose keys come behind it.
+/// Scene of a plate, and far below it an obstacle `thing`, whose keys are to be appended.
 inline const std::string plate_and_thing = R"(duration = 0.002
 [sheet.plate]
 mesh = { generate = "disc", radius = 0.1, edge_length = 0.03 }

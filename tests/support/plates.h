@@ -8,8 +8,8 @@
 
 namespace sherd::test {
 
-/// Square plates of side 0.1 m, each turned and moved its own way, of `count` x `count` squares of two
-/// triangles; plate k lies at height k `spacing`. They are bodies of their own.
+/// Square plates of side 0.1 m, turned against each other, of `count` x `count` squares of two triangles;
+/// plate k lies at height k `spacing`. Each is a sheet of its own.
 inline Shell stacked_plates(int plates, int count, double spacing, const Material& material) {
     const int side = count + 1;
     Positions rest(3, plates * side * side);
@@ -38,7 +38,7 @@ inline Shell stacked_plates(int plates, int count, double spacing, const Materia
     return shell;
 }
 
-/// Smallest distance between elements of different bodies, m, by looking at all of them.
+/// Smallest distance between elements of different sheets, m, by comparing all of them.
 inline double smallest_distance(const Shell& shell, const Positions& x) {
     double smallest = std::numeric_limits<double>::infinity();
     const auto look = [&](PairKind kind, const std::array<Index, 4>& vertices, Index a, Index b) {
@@ -60,7 +60,7 @@ inline double smallest_distance(const Shell& shell, const Positions& x) {
     return smallest;
 }
 
-/// Pairs of an edge and a triangle without a common vertex that cut each other, by looking at all of them.
+/// Number of intersecting pairs of an edge and a triangle without a common vertex, by comparing all of them.
 inline int intersections(const Shell& shell, const Positions& x) {
     const auto volume = [&](Index a, Index b, Index c, Index d) {
         return (x.col(b) - x.col(a)).cross(x.col(c) - x.col(a)).dot(x.col(d) - x.col(a));

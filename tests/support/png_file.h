@@ -37,7 +37,7 @@ inline void write_png(const std::filesystem::path& file, png_uint_32 width, png_
     std::fclose(stream);
 }
 
-/// All of one colour.
+/// Writes a PNG file of a single colour.
 inline void write_png(const std::filesystem::path& file, png_uint_32 width, png_uint_32 height,
                       const Colour16& colour) {
     write_png(file, width, height, std::vector<Colour16>(width * height, colour));

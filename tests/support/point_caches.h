@@ -10,8 +10,7 @@
 
 namespace sherd::test {
 
-/// The bytes of numbers, in the order that the two kinds of caches have them; written out here, so that the
-/// program's own idea of it does not test itself.
+/// Bytes of numbers, in the byte orders of the two kinds of caches; written independently of the program.
 class CacheBytes {
   public:
     explicit CacheBytes(bool big_endian) : big_endian(big_endian) {}
@@ -38,7 +37,7 @@ class CacheBytes {
     bool big_endian;
 };
 
-/// A .pc2 file, its samples so many frames apart. samples: [3, P] m.
+/// Content of a .pc2 file, with `frames` frames between its samples. samples: [3, P] m.
 inline std::string pc2_of(const std::vector<Positions>& samples, float frames = 1) {
     CacheBytes bytes(false);
     bytes.text = std::string("POINTCACHE2\0", 12);
@@ -47,7 +46,7 @@ inline std::string pc2_of(const std::vector<Positions>& samples, float frames = 
     return bytes.text;
 }
 
-/// An .mdd file. times: s.
+/// Content of an .mdd file. times: s.
 inline std::string mdd_of(const std::vector<Positions>& samples, const std::vector<float>& times) {
     CacheBytes bytes(true);
     bytes.whole(static_cast<std::uint32_t>(samples.size()));

@@ -25,16 +25,16 @@
 
 namespace sherd::test {
 
-/// What a program left behind; ended by a signal it has exit code 128 + signal, as in a shell.
+/// Output and exit code of a program; after a signal the code is 128 + signal, as in a shell.
 struct ProgramResult {
     int exit_code = 0;
     std::string out, err;
 };
 
 struct ProgramLimits {
-    /// Largest size of a file it may write: past it write() fails, as it does on a full disk.
+    /// Largest size of a file: beyond it write() fails, as on a full disk.
     std::optional<std::uint64_t> file_bytes;
-    /// As on a file system that knows no locks: flock() fails.
+    /// Whether flock() fails, as on a file system without locks.
     bool no_locks = false;
 };
 
@@ -55,7 +55,7 @@ inline std::string text_of(std::FILE* file) {
     return text;
 }
 
-/// From now on the kernel answers flock() of this process with "not implemented".
+/// Makes the kernel answer flock() of this process with "not implemented".
 inline void forbid_locks() {
     sock_filter steps[] = {
         BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
@@ -69,12 +69,12 @@ inline void forbid_locks() {
         _exit(126);
 }
 
-/// Never returns: becomes the program, or ends with 127.
+/// Never returns: becomes the program, or exits with 127.
 inline void become(std::vector<char*>& arguments, const std::filesystem::path& directory, std::FILE* out,
                    std::FILE* err, const ProgramLimits& limits) {
     if (limits.file_bytes) {
         const rlimit limit{*limits.file_bytes, *limits.file_bytes};
-        std::signal(SIGXFSZ, SIG_IGN);  // so that write() fails with an error instead
+        std::signal(SIGXFSZ, SIG_IGN);  // makes write() fail with an error instead
         setrlimit(RLIMIT_FSIZE, &limit);
     }
     if (limits.no_locks) forbid_locks();
@@ -86,8 +86,8 @@ inline void become(std::vector<char*>& arguments, const std::filesystem::path& d
 
 }  // namespace detail
 
-/// Runs the real program in `directory` and waits for its end. meanwhile: called with its process number once
-/// it has been started.
+/// Runs the real program in `directory` and waits for its end. meanwhile: called with its process number
+/// after its start.
 inline ProgramResult run_sherd(std::vector<std::string> arguments, const std::filesystem::path& directory,
                                const ProgramLimits& limits = {},
                                const std::function<void(pid_t)>& meanwhile = {}) {

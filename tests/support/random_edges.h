@@ -10,11 +10,11 @@
 
 namespace sherd::test {
 
-/// Which edges random_edges() is to choose; smaller numbers choose fewer, for shrinking.
+/// Choice of edges by random_edges(); smaller numbers choose fewer, for shrinking.
 struct EdgeRecipe {
-    int pattern = 0;    ///< a row of random_edges(), below pattern_count
-    int amount = 0;     ///< 0 to 100: of edges in percent, or of steps
-    unsigned seed = 0;  ///< of which
+    int pattern = 0;    ///< pattern of random_edges(), below pattern_count
+    int amount = 0;     ///< 0 to 100: percent of edges, or number of steps
+    unsigned seed = 0;  ///< seed of the choice
 };
 
 inline constexpr int pattern_count = 7;
@@ -41,7 +41,7 @@ class EdgeChoice {
         for (const Edge edge : mesh.edges())
             if (random.uniform(0, 100) < amount) is_chosen[edge] = true;
     }
-    /// A path that turns at random and may meet or cross itself.
+    /// Adds a path that turns at random and may meet or cross itself.
     void line(int steps) {
         Halfedge h(random.below(mesh.number_of_halfedges()));
         for (; steps >= 0; --steps) {
@@ -50,7 +50,7 @@ class EdgeChoice {
             for (unsigned turns = random.below(3); turns > 0; --turns) h = mesh.next(mesh.opposite(h));
         }
     }
-    /// The outline of a patch of faces: closed loops, or from boundary to boundary.
+    /// Adds the outline of a patch of faces: closed loops, or from boundary to boundary.
     void loop(int steps) {
         std::vector<char> is_inside(mesh.number_of_faces(), false);
         Face face(random.below(mesh.number_of_faces()));
@@ -66,14 +66,14 @@ class EdgeChoice {
             if (is_inside[a] != is_inside[b]) is_chosen[edge] = true;
         }
     }
-    /// Edges that touch the boundary, of which some run along it.
+    /// Adds edges that touch the boundary, some of which run along it.
     void along_boundary(int amount) {
         for (const Edge edge : mesh.edges())
             if ((mesh.is_border(mesh.vertex(edge, 0)) || mesh.is_border(mesh.vertex(edge, 1))) &&
                 random.uniform(0, 100) < amount)
                 is_chosen[edge] = true;
     }
-    /// Edges around one vertex.
+    /// Adds edges around one vertex.
     void star(int amount) {
         const Vertex centre(random.below(mesh.number_of_vertices()));
         for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(centre)))

@@ -11,14 +11,14 @@
 
 namespace sherd::test {
 
-/// What random_mesh() is to make; smaller numbers make smaller and plainer meshes, for shrinking.
+/// Choice of a mesh by random_mesh(); smaller numbers make smaller and plainer meshes, for shrinking.
 struct MeshRecipe {
-    int shape = 0;              ///< of base_mesh(), below shape_count
-    int columns = 1, rows = 1;  ///< more are taken where the shape needs them
-    int centres = 0;    ///< faces cut into three: vertices of degree three, and high degree at old ones
-    int flips = 0;      ///< edges turned: degrees vary as they do in a Delaunay mesh
-    int holes = 0;      ///< faces taken out
-    unsigned seed = 0;  ///< of what is done where
+    int shape = 0;              ///< shape of base_mesh(), below shape_count
+    int columns = 1, rows = 1;  ///< more are used where the shape needs them
+    int centres = 0;    ///< faces split in three: vertices of degree three, and high degree at old ones
+    int flips = 0;      ///< edges flipped: degrees vary as in a Delaunay mesh
+    int holes = 0;      ///< faces removed
+    unsigned seed = 0;  ///< seed of these places
 };
 
 inline std::ostream& operator<<(std::ostream& out, const MeshRecipe& r) {
@@ -26,7 +26,7 @@ inline std::ostream& operator<<(std::ostream& out, const MeshRecipe& r) {
                << ", flips " << r.flips << ", holes " << r.holes << ", seed " << r.seed;
 }
 
-/// A rim of `count` vertices with a hub of that degree, or two hubs: a closed surface.
+/// Rim of `count` vertices with a hub of that degree, or two hubs: a closed surface.
 inline Mesh wheel(int count, bool is_closed) {
     Mesh mesh;
     std::vector<Vertex> rim;
@@ -39,7 +39,7 @@ inline Mesh wheel(int count, bool is_closed) {
     return mesh;
 }
 
-/// Both surfaces, each less its first face, glued together along the rims of these.
+/// Both surfaces, each without its first face, glued along the rims of these.
 inline Mesh connected_sum(const Mesh& first, const Mesh& second) {
     const auto faces = triangles_of(first), others = triangles_of(second);
     Mesh mesh;
@@ -84,7 +84,7 @@ inline Mesh base_mesh(const MeshRecipe& recipe) {
     }
 }
 
-/// Turns the edge, if that gives no second edge between the same vertices.
+/// Flips the edge, unless that makes a second edge between the same vertices.
 inline void flip(Mesh& mesh, Edge edge) {
     const Halfedge h = mesh.halfedge(edge);
     if (mesh.is_border(edge)) return;
@@ -92,7 +92,7 @@ inline void flip(Mesh& mesh, Edge edge) {
     if (a != b && !mesh.halfedge(a, b).is_valid()) CGAL::Euler::flip_edge(h, mesh);
 }
 
-/// Takes the face out, if what is left is a manifold and not nothing.
+/// Removes the face, if the remaining mesh is a manifold and not empty.
 inline void remove(Mesh& mesh, Face face) {
     int border_edges = 0, border_corners = 0;
     for (const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(face))) {
@@ -103,7 +103,8 @@ inline void remove(Mesh& mesh, Face face) {
         CGAL::Euler::remove_face(mesh.halfedge(face), mesh);
 }
 
-/// A mesh to tell corners and vertices apart: a topology, each vertex at a place of its own.
+/// Random mesh of some topology, with each vertex at a unique place, so that corners and vertices can be
+/// identified.
 inline Mesh random_mesh(const MeshRecipe& recipe) {
     Mesh mesh = base_mesh(recipe);
     Random random(recipe.seed);

@@ -17,7 +17,7 @@ class Random {
     double uniform(double low, double high) {
         return low + (high - low) * (static_cast<double>(generator()) + 0.5) / 4294967296.0;
     }
-    /// A whole number from 0 up to, but without, `count`.
+    /// Whole number from 0 to count - 1.
     unsigned below(std::size_t count) {
         return static_cast<unsigned>(uniform(0, 1) * static_cast<double>(count));
     }
@@ -35,7 +35,7 @@ class Random {
     std::mt19937 generator;
 };
 
-/// A hinge of dihedral angle `angle` over an edge of length 1 along x, with apexes at (a0, h0) and (a1, h1).
+/// Hinge of dihedral angle `angle` over an edge of length 1 along x, with apexes at (a0, h0) and (a1, h1).
 inline HingePositions folded_hinge(double angle, double a0, double h0, double a1, double h1) {
     HingePositions x;
     x.col(0).setZero();
@@ -45,7 +45,7 @@ inline HingePositions folded_hinge(double angle, double a0, double h0, double a1
     return x;
 }
 
-/// A hinge anywhere in space with unequal triangles and the given angle.
+/// Hinge anywhere in space with unequal triangles and the given angle.
 inline HingePositions random_hinge(Random& random, double angle) {
     HingePositions x = folded_hinge(angle, random.uniform(-0.3, 1.3), random.uniform(0.2, 2),
                                     random.uniform(-0.3, 1.3), random.uniform(0.2, 2));

@@ -5,14 +5,14 @@
 
 namespace sherd::test {
 
-/// A tetrahedron of some 6 cm, named as no path in a file could be.
+/// Tetrahedron of some 6 cm, with a name that no path in a file could have.
 inline RecordedObstacle tetrahedron() {
     return {"a/b \"anvil\"",
             {{{0, 0, 0}, {0.06, 0, 0}, {0, 0.06, 0}, {0, 1.0 / 17, 0.06}},
              {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}}};
 }
 
-/// A plane with a square of 40 cm.
+/// Plane with a square of 40 cm.
 inline RecordedObstacle floor_plane() {
     return {"floor",
             {{{-0.2, -0.2, 0}, {0.2, -0.2, 0}, {0.2, 0.2, 0}, {-0.2, 0.2, 0}}, {{0, 1, 2}, {0, 2, 3}}},
@@ -37,7 +37,7 @@ inline std::vector<Eigen::Isometry3d> obstacle_poses(std::size_t frame) {
             obstacle_pose(0, {0, 0, -0.1})};
 }
 
-/// Where the points of one of them are in a frame, m.
+/// Points of an obstacle in a frame, m.
 inline std::vector<Vector3d> obstacle_points(std::size_t obstacle, std::size_t frame) {
     std::vector<Vector3d> points = recorded_obstacles()[obstacle].surface.points;
     for (Vector3d& point : points) point = obstacle_poses(frame)[obstacle] * point;

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a recording tells of things that have come to rest."""
+"""Measures of recordings in which everything comes to rest."""
 
 import h5py
 import numpy
 
 
 def at_the_end(recording):
-    """Positions in the last frame, m; how far they are at most from those in the middle one, m; what share of the
-    largest energy is unexplained at most; fragments; steps."""
+    """Returns the positions in the last frame, m; their largest distance from those in the middle frame, m; the largest
+    energy residual over the largest energy; and the numbers of fragments and steps."""
     with h5py.File(recording) as file:
         steps, names = file["steps"], sorted(file["frames"])
         middle, end = (file["frames"][name]["vertex/position"][()] for name in (names[len(names) // 2], names[-1]))

@@ -9,8 +9,7 @@
 
 namespace sherd::test {
 
-/// A sheet of rubber that is nothing but a surface for SheetContact. thickness: m, body: number of the sheet,
-/// of each vertex.
+/// Rubber sheet that is only a surface for SheetContact. thickness: [V] m. body: [V] number of the sheet.
 inline Shell bare_sheet(const Positions& rest, const Positions& position,
                         const std::vector<std::array<Index, 3>>& triangles,
                         const std::vector<double>& thickness, const std::vector<Index>& body) {
@@ -31,7 +30,8 @@ inline Shell bare_sheet(const Positions& rest, const Positions& position,
     return shell;
 }
 
-/// The sheets of a frame as such a surface. Vertices that a crack has split are twins, however far apart.
+/// Sheets of a frame as such a surface. Vertices that a crack has split count as coincident, however far
+/// apart.
 inline Shell recorded_sheet(const Snapshot& frame) {
     const std::size_t count = frame.position.cols();
     Positions rest(3, count);

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a recording holds, bit by bit, but for how long it took."""
+"""Bitwise comparison of recordings, without their wall times."""
 import h5py
 import numpy
 
 
 def described(node):
-    """What a node of a recording is: its kind, shape and type, its bits, and its attributes."""
+    """Returns type, shape, bits and attributes of a dataset, or the attributes of a group."""
     attributes = {name: numpy.asarray(value).tolist() for name, value in node.attrs.items() if name != "wall_seconds"}
     if not isinstance(node, h5py.Dataset):
         return "group", attributes
@@ -16,7 +16,7 @@ def described(node):
 
 
 def content(file):
-    """Everything in a recording, by path; soft links as what they lead to."""
+    """Returns the content of all groups and datasets by path; for soft links, the path to which they lead."""
     all_of_it = {"/": described(file)}
 
     def add(group):
@@ -34,7 +34,7 @@ def content(file):
 
 
 def differences(one, other):
-    """The paths at which two recordings differ."""
+    """Returns the paths at which two recordings differ."""
     with h5py.File(one) as first, h5py.File(other) as second:
         a, b = content(first), content(second)
     return [path for path in sorted({*a, *b}) if a.get(path) != b.get(path)]

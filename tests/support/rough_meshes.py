@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Meshes with the faults that meshes of artists and scanners have, 0.2 m long: `write(folder)` makes a file of each."""
+"""Meshes with defects as in meshes of artists and scanners, most 0.2 m long: `write(folder)` makes a file of each."""
 import math
 import pathlib
 import random
 
 
 def sphere(radius, rings, centre=(0, 0, 0), squeeze=1.0):
-    """Vertices and triangles of a sphere between two poles, `squeeze` times as high as wide."""
+    """Returns vertices and triangles of a sphere between two poles, `squeeze` times as high as wide."""
     vertices = [(0, 0, -radius * squeeze)]
     for i in range(1, rings):
         polar = math.pi * (i / rings - 0.5)
@@ -26,7 +26,7 @@ def sphere(radius, rings, centre=(0, 0, 0), squeeze=1.0):
 
 
 def grid(columns, rows, place):
-    """Quads of a grid whose vertex (i, j) is at place(i / columns, j / rows)."""
+    """Returns vertices and quads of a grid whose vertex (i, j) is at place(i / columns, j / rows)."""
     vertices = [place(i / columns, j / rows) for j in range(rows + 1) for i in range(columns + 1)]
     corner = lambda i, j: j * (columns + 1) + i
     faces = [(corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1))
@@ -35,7 +35,7 @@ def grid(columns, rows, place):
 
 
 def box(size, centre=(0, 0, 0), parts=6):
-    """A closed box whose sides are grids, joined."""
+    """Returns a closed box whose sides are grids with common vertices along the edges."""
     joined, vertices, faces = {}, [], []
     axes = [(0, 1, 2), (1, 2, 0), (2, 0, 1)]
     for a, b, c in axes:
@@ -112,7 +112,7 @@ def hundred_parts():
 
 
 def needles():
-    """A bowl whose triangles have angles far under a degree."""
+    """Returns a bowl of needles: faces with angles far below a degree."""
     def place(u, v):
         radius, turn = 0.1 * math.sin(1.2 * v), 0.9 * math.pi * u
         return radius * math.cos(turn), radius * math.sin(turn), 0.1 * (1 - math.cos(1.2 * v))
@@ -120,7 +120,7 @@ def needles():
 
 
 def thin_handle():
-    """A ring of 2 mm on a ball, through which the hole of the handle goes."""
+    """Returns a ball with a handle, a ring 2 mm thick."""
     vertices, faces = [], []
     around, along = 8, 60
     for i in range(along):
@@ -142,7 +142,7 @@ def sharp_box():
 
 
 def noisy_scan(parts=129):
-    """A lump of 200,000 faces with noise of a tenth of an edge."""
+    """Returns a rounded lump of about 200,000 triangles with noise of a tenth of an edge length."""
     chance = random.Random(1)
     vertices, quads = box((2, 2, 2), parts=parts)
     edge = math.pi * 0.1 / (2 * parts)
@@ -161,7 +161,7 @@ def millimetres():
 
 
 def polygons():
-    """Quads and pentagons: a bowl of quads whose every third has a corner more on one side."""
+    """Returns quads and pentagons: a curved sheet of quads, of which every third has another vertex on one side."""
     vertices, quads = grid(24, 12, lambda u, v: (0.2 * u, 0.12 * v, 0.05 * math.sin(3 * u) * math.cos(2 * v)))
     vertices = list(vertices)
     middles, faces = {}, []
@@ -185,7 +185,7 @@ MESHES = [crossing_parts, doubled_faces, inside_out, open_seams, edge_of_three, 
 
 
 def write(folder, names=None):
-    """Writes the meshes of these names, or all, as OBJ files; returns the files by name."""
+    """Writes the meshes of these names, or all, as .obj files; returns the files by name."""
     files = {}
     for make in MESHES:
         if names and make.__name__ not in names:

@@ -9,7 +9,7 @@
 
 namespace sherd::test {
 
-/// Calls visit(name, bytes) for every array of a snapshot, in the same order each time.
+/// Calls visit(name, bytes) for every array of a snapshot, always in the same order.
 template <class Visit>
 void visit_arrays_of(const Snapshot& frame, Visit visit) {
     const auto pass_on = [&](const char* name, hdf5::Meaning, const auto& values) {
@@ -26,7 +26,7 @@ void visit_arrays_of(const Snapshot& frame, Visit visit) {
     });
 }
 
-/// To the last bit.
+/// Expects equality to the last bit.
 inline void expect_same(const Snapshot& found, const Snapshot& expected) {
     EXPECT_EQ(found.step, expected.step);
     EXPECT_EQ(found.time, expected.time);

@@ -6,7 +6,7 @@
 
 namespace sherd::test {
 
-/// The scene of a file with this text.
+/// Reads a scene from a file with this text.
 inline Scene scene_of(const std::string& text, const SceneChoice& choice = {}) {
     const TemporaryDirectory directory;
     return read_scene(directory.write("scene.toml", text), choice);

@@ -19,7 +19,7 @@ namespace sherd::test {
 
 using Corners = std::array<Eigen::Vector3d, 3>;
 
-/// A mesh as plain arrays, for oracles that know no halfedge.
+/// Mesh as plain arrays, for references without halfedges.
 inline TriangleSheet arrays_of(const Mesh& mesh) {
     return triangle_sheet(mesh);
 }
@@ -33,7 +33,7 @@ inline double area_of(const Corners& p) {
     return (p[1] - p[0]).cross(p[2] - p[0]).norm() / 2;
 }
 
-/// By the law of cosines, degrees.
+/// Smallest angle by the law of cosines, degrees.
 inline double smallest_angle_of(const Corners& p) {
     double smallest = 180;
     for (int i = 0; i < 3; ++i) {
@@ -45,7 +45,7 @@ inline double smallest_angle_of(const Corners& p) {
     return smallest;
 }
 
-/// Distance of a point from a triangle, by what of it is nearest: its inside, a side or a corner.
+/// Distance of a point from a triangle, by its nearest part: the inside, a side or a corner.
 inline double distance_to(const Corners& p, const Eigen::Vector3d& x) {
     const Eigen::Vector3d normal = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
     bool is_above = true;
@@ -68,7 +68,8 @@ inline long euler_characteristic(const TriangleSheet& sheet) {
            static_cast<long>(sheet.triangles.size());
 }
 
-/// Every vertex of `change` has at most three parents with weights of sum 1 and is where they say.
+/// Expects that every vertex of `change` has at most three parents, with weights of sum 1 that give its
+/// place.
 inline void expect_places(const TriangleSheet& old, const TriangleSheet& now, const TopologyChange& change,
                           double round_off) {
     std::set<std::size_t> placed;
@@ -95,8 +96,8 @@ inline void expect_places(const TriangleSheet& old, const TriangleSheet& now, co
         EXPECT_TRUE(placed.contains(v) || now.points[v] == old.points[v]) << v;
 }
 
-/// The faces of `change` cover the old ones: fractions of each sum to 1, and nothing else has changed. On a
-/// flat sheet each face has the area that was passed on to it.
+/// Expects that the faces of `change` cover the old ones: the fractions of each sum to 1, and nothing else
+/// has changed. On a flat sheet the area of each face must be the sum of its shares.
 inline void expect_areas(const TriangleSheet& old, const TriangleSheet& now, const TopologyChange& change,
                          bool is_flat) {
     std::map<std::size_t, double> passed_on;
@@ -124,14 +125,15 @@ inline void expect_areas(const TriangleSheet& old, const TriangleSheet& now, con
     EXPECT_EQ(now.triangles.size(), old.triangles.size() + change.faces.size());
 }
 
-/// The mesh is an oriented manifold, in itself and as arrays, of the old one's Euler characteristic.
+/// Expects that the mesh is an oriented manifold, in itself and as arrays, with the old one's Euler
+/// characteristic.
 inline void expect_manifold(const TriangleSheet& old, const Mesh& mesh, const TriangleSheet& now) {
     EXPECT_TRUE(mesh.is_valid(false));
     EXPECT_NO_THROW(triangle_mesh(now.points, now.triangles));
     EXPECT_EQ(euler_characteristic(now), euler_characteristic(old));
 }
 
-/// What every change of the triangles of a sheet promises; old: before it.
+/// Expects the invariants of every change of a sheet's triangles. old: before the change.
 inline void expect_same_sheet(const TriangleSheet& old, const Mesh& mesh, const TopologyChange& change,
                               bool is_flat) {
     const TriangleSheet now = arrays_of(mesh);

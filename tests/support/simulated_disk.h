@@ -13,12 +13,12 @@
 
 namespace sherd::test {
 
-/// What a disk may hold after a power cut: all that was synchronized, and of the rest any part. Writes are
-/// lost, done in another order and torn between sectors; names change in order, as file systems with a
-/// journal have it, up to any moment.
+/// Possible content of a disk after a power cut: all synchronized data, and any part of the rest. Writes may
+/// be lost, reordered and torn between sectors; names change in order, up to any moment, as in file systems
+/// with a journal.
 class SimulatedDisk {
   public:
-    /// A folder of files that are on the disk.
+    /// Starts with a folder of files that are on the disk.
     explicit SimulatedDisk(const std::map<std::string, std::string>& contents) {
         for (const auto& [file, bytes] : contents) {
             names[file] = now[file] = files.size();
@@ -41,7 +41,8 @@ class SimulatedDisk {
         }
     }
 
-    /// Puts into a folder what there may be after a power cut; everything: after the end of the program only.
+    /// Writes a possible content after a power cut into a folder. everything: content after the end of the
+    /// program alone.
     void show(const std::filesystem::path& folder, bool everything, std::mt19937& random) const {
         std::map<std::string, std::size_t> shown = names;
         const std::size_t kept = everything ? waiting_names.size() : random() % (waiting_names.size() + 1);
@@ -107,7 +108,7 @@ class SimulatedDisk {
         return bytes;
     }
 
-    /// Leaves out some sectors of a write: one of so many; none: all are written.
+    /// Makes a write without some of its sectors: one in `left_out`; 0: all are written.
     static void tear(std::string& bytes, const SystemCall& call, std::size_t left_out, std::mt19937& random) {
         if (random() % 2 == 0) bytes.resize(std::max(bytes.size(), call.offset + call.bytes.size()));
         for (std::size_t at = 0; at < call.bytes.size();) {
@@ -119,7 +120,8 @@ class SimulatedDisk {
     }
 
     std::vector<File> files;
-    std::map<std::string, std::size_t> names, now;  ///< numbers of files: on the disk, as programs see them
+    std::map<std::string, std::size_t> names,
+        now;  ///< numbers of files: on the disk, and as programs see them
     std::vector<std::map<std::string, std::size_t>> waiting_names;
 };
 

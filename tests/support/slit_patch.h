@@ -6,14 +6,14 @@
 
 namespace sherd::test {
 
-/// The patch of uneven_patch(), open along its middle from the side x = 0 on, and the tip there.
+/// Patch of uneven_patch() that is slit along its middle from the side x = 0, and the tip of the slit.
 struct SlitPatch {
     Shell shell;
-    std::vector<char> foreign;  ///< the outer boundary
+    std::vector<char> foreign;  ///< [V] flags of the outer boundary
     CrackTip tip;
 };
 
-/// edges: length of the slit. turn: of the whole patch at rest.
+/// edges: length of the slit. turn: rotation of the whole patch at rest.
 inline SlitPatch slit_patch(const Shell& whole, int edges, const Material& material = patch_material,
                             const Matrix3d& turn = Matrix3d::Identity()) {
     constexpr int middle = patch_across / 2;
@@ -43,7 +43,7 @@ inline SlitPatch slit_patch(const Shell& whole, int edges, const Material& mater
     return patch;
 }
 
-/// A shape that bends, stretches and turns far.
+/// Positions with large bending, stretch and rotation.
 inline Positions bent_and_turned(const Shell& shell, unsigned seed) {
     Positions x = shell.rest;
     for (Index v = 0; v < x.cols(); ++v) {

@@ -9,7 +9,7 @@
 
 namespace sherd::test {
 
-/// A sheet without a mesh: an edge with a hinge wherever two triangles share a side.
+/// Sheet without a mesh: an edge with a hinge wherever two triangles share a side.
 inline Shell small_sheet(const Positions& rest, const std::vector<std::array<Index, 3>>& triangles,
                          const Material& material) {
     Shell shell;
@@ -35,7 +35,7 @@ inline Shell small_sheet(const Positions& rest, const std::vector<std::array<Ind
     return shell;
 }
 
-/// A closed tetrahedron, outward triangles.
+/// Closed tetrahedron with outward normals.
 inline Shell tetrahedron(const Material& material) {
     Positions rest(3, 4);
     rest << 0, 1, 0.1, 0.2, 0, 0.1, 1, 0.3, 0, 0, 0.1, 1;
@@ -49,7 +49,7 @@ inline Shell two_triangles(const Material& material) {
     return small_sheet(rest, {{0, 1, 2}, {0, 3, 1}}, material);
 }
 
-/// All of a block matrix, [3 V, 3 V].
+/// Whole block matrix, [3 V, 3 V].
 inline Eigen::MatrixXd dense(const BlockMatrix& matrix) {
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero(matrix.size(), matrix.size());
     for (Index c = 0; c < matrix.size(); ++c)

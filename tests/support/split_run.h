@@ -8,7 +8,7 @@
 
 namespace sherd::test {
 
-/// A run that no simulation makes yet: a crack splits faces. Three triangles lie side by side,
+/// Synthetic run in which a crack splits faces. Three triangles lie side by side,
 ///
 ///     3 --- 2 .
 ///     | B / |  .      A = 0 1 2, 1 mm thick,
@@ -16,10 +16,10 @@ namespace sherd::test {
 ///     | / A |     .   C = 1 4 2, 2 mm.
 ///     0 --- 1 ---- 4
 ///
-/// frame 0: as they are at rest. 1: the crack has split A and B at m, a quarter of the way from 0 to 2; it is
-/// still closed. 2: it has opened from 1 over m to 3, so that the piece with 0 goes away from the one with 2
-/// and 4, and a vertex was born inside C. 3: what remains of A and B beside 2 is split again, between m
-/// and 2. 4: nothing was born. Each piece moves rigidly.
+/// Frame 0: the rest shape. 1: the crack has split A and B at m, a quarter of the way from 0 to 2; it is
+/// still closed. 2: it has opened from 1 over m to 3, so that the piece with 0 moves away from the one with 2
+/// and 4, and a vertex is inserted inside C. 3: the parts of A and B beside 2 are split again, between m
+/// and 2. 4: nothing is inserted. Each piece moves rigidly.
 namespace split {
 
 inline constexpr Index a = 0, b = 1, c = 2;                   // faces
@@ -31,7 +31,7 @@ struct Ancestors {
     std::array<double, 3> weights;
 };
 
-/// Of all vertices that the run ever has; 6, 7 and 8 are the copies of 1, m and 3.
+/// Parents of all vertices of the run; 6, 7 and 8 are the copies of 1, m and 3.
 inline const std::vector<Ancestors>& ancestors() {
     static const std::vector<Ancestors> all{
         {{0, 0, 0}, {1, 0, 0}},         {{1, 1, 1}, {1, 0, 0}},        {{2, 2, 2}, {1, 0, 0}},
@@ -57,7 +57,7 @@ inline RecordingHeader header() {
     return header;
 }
 
-/// The unbroken mesh's values (of columns) at the ancestors of a vertex.
+/// Interpolates the unfractured mesh's values (in columns) between the parents of a vertex.
 inline Vector3d between_parents(const Positions& values, Index vertex) {
     const auto& [parents, weights] = ancestors()[vertex];
     Vector3d sum = Vector3d::Zero();
@@ -65,7 +65,7 @@ inline Vector3d between_parents(const Positions& values, Index vertex) {
     return sum;
 }
 
-/// The faces of each frame and the faces of the unbroken mesh that they are parts of.
+/// Faces of each frame and their parents in the unfractured mesh.
 struct Topology {
     std::vector<std::array<Index, 3>> faces;
     std::vector<Index> parent;
@@ -114,7 +114,7 @@ inline std::vector<Index> originals(std::size_t vertices) {
     return original;
 }
 
-/// How far a piece (0: with vertex 0, 1: the other one) has gone.
+/// Motion of a piece (0: with vertex 0, 1: the other one).
 inline Eigen::Isometry3d motion(std::size_t frame, Index piece) {
     const auto k = static_cast<double>(frame);
     const double side = frame < 2 ? 0 : piece == 0 ? -1 : 1;

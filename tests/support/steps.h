@@ -8,20 +8,20 @@
 
 namespace sherd::test {
 
-/// The step of implicit Euler from where the sheet and the bodies are; begin, length: s.
+/// Step of implicit Euler from the present state of the sheet and the bodies. begin, length: s.
 inline StepContext step_of(const Shell& shell, double begin, double length,
                            const std::vector<RigidBody>& bodies = {}) {
     return ImplicitEuler().begin(shell, bodies, begin, length);
 }
 
-/// The energy, in a step of implicit Euler from where the sheet is.
+/// Returns the energy, in a step of implicit Euler from the present state of the sheet.
 template <class E>
 E begun(E energy, const Shell& shell, double begin, double length) {
     energy.begin(step_of(shell, begin, length));
     return energy;
 }
 
-/// One step, which must be possible and converge.
+/// Makes one step, which must be possible and converge.
 inline void advance(ImplicitStepper& stepper) {
     ASSERT_TRUE(stepper.begin());
     ASSERT_TRUE(stepper.solve(200).converged);

@@ -17,7 +17,7 @@ inline double distance_at(const PairName& name, const Positions& x) {
     return std::sqrt(squared_distance(closest_points(name.first, local), local));
 }
 
-/// All pairs that are nearer than `share` times where they touch at x, by looking at all there are.
+/// Returns all pairs nearer than `share` times their activation distance at x, by comparing all elements.
 inline std::vector<PairName> pairs_nearer_than(double share, const ContactSurface& surface,
                                                const Positions& x) {
     std::vector<PairName> names;

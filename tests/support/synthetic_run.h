@@ -11,9 +11,8 @@
 
 namespace sherd::test {
 
-/// A run that no simulation made: a strip of two sheets that is torn off column by column, so that its
-/// topology changes from frame to frame. Frame k has k + 1 fragments of `columns_per_fragment` or more
-/// columns.
+/// Synthetic run: a strip of two sheets that is torn off column by column, so that its topology changes from
+/// frame to frame. Frame k has k + 1 fragments of `columns_per_fragment` or more columns.
 struct SyntheticRun {
     RecordingHeader header;
     std::vector<Snapshot> frames;
@@ -25,7 +24,7 @@ namespace synthetic {
 
 inline constexpr Index columns = 12, rows = 4, columns_per_fragment = 3;
 
-/// Values with all bits in use, and some that text would lose.
+/// Values with all bits in use, and some that a text would not preserve.
 inline double number(Index i, Index k) {
     if (i % 17 == 3) return -0.0;
     if (i % 19 == 5) return std::numeric_limits<double>::denorm_min() * (k + 1);
@@ -52,7 +51,7 @@ inline Positions whole_positions() {
     return position;
 }
 
-/// Takes the columns left of the k-th tear off the rest: the right-hand faces keep their vertices.
+/// Tears off the columns left of the k-th tear: the right-hand faces keep their vertices.
 inline void tear(Snapshot& snapshot, Index k, CrackEvents& events) {
     const Index column = k * columns_per_fragment;
     const auto old_count = static_cast<Index>(snapshot.original.size());
@@ -126,7 +125,7 @@ inline std::vector<RecordedGauge> gauges() {
     return {{"tip", "right", {1, 2, 3}}, {"middle", "left \"half\"", {0, 0, 1e-3}}};
 }
 
-/// With as many reactions as there are supports(), and readings of gauges().
+/// Report with as many reactions as there are supports(), and readings of gauges().
 inline StepReport step(Index i) {
     StepReport report;
     report.step = i;
@@ -162,7 +161,7 @@ inline StepReport step(Index i) {
 
 }  // namespace synthetic
 
-/// Gives all frames fields of faces, and the first gauge columns of them.
+/// Adds face fields to all frames, and their columns to the first gauge.
 inline void add_fields(SyntheticRun& run) {
     for (Snapshot& frame : run.frames)
         visit_fields(frame.fields, [&](const char* name, Eigen::Matrix3Xd& values, const FieldMeaning&) {
@@ -183,7 +182,8 @@ inline void add_fields(SyntheticRun& run) {
         }
 }
 
-/// Adds two tips of cracks, of steps 1 to 12 and 5 to 20, that go along x; frames are at the steps 0, 10, 20.
+/// Adds two crack tips, in steps 1 to 12 and 5 to 20, that propagate along x; frames are at the steps 0, 10,
+/// 20.
 inline void add_tips(SyntheticRun& run) {
     for (Index i = 1; i <= 20; ++i)
         for (const Index tip : {0, 1}) {
@@ -199,7 +199,7 @@ inline void add_tips(SyntheticRun& run) {
         }
 }
 
-/// Gives all frames the unbroken mesh of the header, of which nothing has been split.
+/// Gives all frames the unfractured mesh of the header.
 inline void set_rest(SyntheticRun& run) {
     for (Snapshot& frame : run.frames) frame.rest = recording_format::unbroken_mesh(run.header);
 }
@@ -249,7 +249,7 @@ inline void record(const SyntheticRun& run, const std::filesystem::path& file) {
     writer.finish(12.5, "complete");
 }
 
-/// Takes the balance of energy out of a recording, as in those of before there was one.
+/// Removes the energy balance from a recording, as in recordings of old versions.
 inline void forget_balance(const std::filesystem::path& file) {
     const hdf5::Handle opened = open_to_edit(file);
     for (const std::string& name : hdf5::member_names(opened, "steps"))

@@ -9,29 +9,28 @@
 
 namespace sherd::test {
 
-/// What a program has asked the system to do with files, in a form that can be done once more.
+/// Call by which a program changes files, in a form that can be repeated.
 struct SystemCall {
     enum class Kind { write, resize, sync, sync_folder, rename, remove } kind;
     std::filesystem::path file, target = {};  ///< target: the new name
-    std::uint64_t offset = 0;                 ///< of what is written; the new size
+    std::uint64_t offset = 0;                 ///< place of a write, or the new size, bytes
     std::string bytes = {};
 };
 
-/// Listens to this process while it lives, and lets calls fail. (tests/CMakeLists.txt has the linker lead
-/// them here; one at a time.)
+/// Intercepts the calls of this process while it exists, and lets calls fail. (tests/CMakeLists.txt makes the
+/// linker direct them here; one object at a time.)
 class SystemCalls {
   public:
-    explicit SystemCalls(std::filesystem::path folder);  ///< of which calls are told
+    explicit SystemCalls(std::filesystem::path folder);  ///< folder: the calls on its files are intercepted
     ~SystemCalls();
     SystemCalls(const SystemCalls&) = delete;
     SystemCalls& operator=(const SystemCalls&) = delete;
 
-    /// Notes a call. Returns the error number with which it is to fail; 0: it is to be made.
+    /// Notes a call. Returns the error number with which it must fail; 0: it is to be made.
     int note(SystemCall call);
 
     std::vector<SystemCall> made;
-    std::optional<std::size_t>
-        failing;  ///< the number of the call that fails; of a write some sectors are done
+    std::optional<std::size_t> failing;  ///< number of the failing call; a write may write some sectors
     int reason = 0;
 
   private:

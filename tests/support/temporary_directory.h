@@ -11,7 +11,7 @@
 
 namespace sherd::test {
 
-/// A new folder, removed with all it holds at the end of the test.
+/// New folder, removed with its content at the end of the test.
 class TemporaryDirectory {
   public:
     TemporaryDirectory() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A program on a terminal, and what is to be seen there.
+// A program on a terminal, and its output there.
 #pragma once
 
 #include <fcntl.h>
@@ -20,17 +20,17 @@
 
 namespace sherd::test {
 
-/// The screen that a terminal shows after the bytes that it was sent: as far as Sherd uses it.
+/// Screen of a terminal after the bytes sent to it, as far as Sherd uses its controls.
 class Screen {
   public:
     explicit Screen(std::size_t columns, std::size_t rows = 24) : columns(columns), rows(rows), lines(1) {}
 
-    /// Throws std::runtime_error on a control that is not known here.
+    /// Throws std::runtime_error for an unsupported control.
     void add(const std::string& bytes) {
         for (const char byte : bytes) add(byte);
     }
 
-    /// All that was ever shown, from the top, without spaces at the ends of lines.
+    /// All text ever shown, from the top, without spaces at the ends of lines.
     std::vector<std::string> text() const {
         std::vector<std::string> result = lines;
         for (std::string& line : result) line.erase(line.find_last_not_of(' ') + 1);
@@ -39,7 +39,7 @@ class Screen {
     }
 
     std::size_t column = 0;
-    std::vector<std::string> wrapped;  ///< what did not fit into its line, as far as it did
+    std::vector<std::string> wrapped;  ///< lines that were too long, up to the width of the screen
 
   private:
     void add(char byte) {
@@ -94,7 +94,7 @@ class Screen {
     std::string escape;
 };
 
-/// A new pseudo terminal; below zero where this machine makes none, as where /dev/pts is not mounted.
+/// Opens a pseudo terminal; negative on machines without any, as where /dev/pts is not mounted.
 inline int open_pseudo_terminal() {
     const int terminal = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
     if (terminal < 0) return terminal;
@@ -103,7 +103,7 @@ inline int open_pseudo_terminal() {
     return -1;
 }
 
-/// A program whose terminal is a pseudo terminal of ours; killed at the end of the scope if it still runs.
+/// Program on a pseudo terminal of the test; killed at the end of the scope if it still runs.
 class TerminalProgram {
   public:
     TerminalProgram(std::vector<std::string> arguments, const std::filesystem::path& directory,
@@ -126,8 +126,7 @@ class TerminalProgram {
     TerminalProgram(const TerminalProgram&) = delete;
     TerminalProgram& operator=(const TerminalProgram&) = delete;
 
-    /// What it writes until `enough(what it has written since the last call)`, or until its end; ends of
-    /// lines are "\n".
+    /// Reads its output until `enough(output since the last call)`, or until its end; ends of lines are "\n".
     std::string read_until(const std::function<bool(const std::string&)>& enough) {
         std::string text;
         while (!enough(without_carriage(text)))
@@ -141,7 +140,7 @@ class TerminalProgram {
         return read_until([](const std::string&) { return false; });
     }
 
-    /// As somebody who presses keys.
+    /// Sends keys as if they were pressed.
     void type(const std::string& keys) const {
         if (write(terminal, keys.data(), keys.size()) != static_cast<ssize_t>(keys.size()))
             throw std::runtime_error("cannot type");
@@ -152,20 +151,20 @@ class TerminalProgram {
         if (ioctl(terminal, TIOCSWINSZ, &size) != 0) throw std::runtime_error("cannot resize the terminal");
     }
 
-    /// Resizes while the program stands still, so that all but what it was about to write is as of before.
-    /// Returns what it had written.
+    /// Resizes while the program is stopped, so that all earlier output has the old width. Returns this
+    /// output.
     std::string resize_at_rest(unsigned short columns) {
         kill(process, SIGSTOP);
         waitpid(process, nullptr, WUNTRACED);
         std::string text;
-        // On Linux poll() hands over first what is still on its way through the terminal.
+        // On Linux poll() first delivers output that is still in the terminal's buffer.
         for (pollfd waiting{terminal, POLLIN, 0}; poll(&waiting, 1, 0) > 0 && read_some(text);) continue;
         resize(columns);
         kill(process, SIGCONT);
         return without_carriage(text);
     }
 
-    int exit_code = -1;  ///< once it has ended; 128 + signal
+    int exit_code = -1;  ///< after its end; 128 + signal
 
   private:
     [[noreturn]] static void become(std::vector<std::string>& arguments,
@@ -183,14 +182,14 @@ class TerminalProgram {
         _exit(127);
     }
 
-    /// The terminal writes "\r\n" for "\n".
+    /// Replaces "\r\n" by "\n", since the terminal writes the former.
     static std::string without_carriage(std::string text) {
         for (std::size_t at = text.find("\r\n"); at != std::string::npos; at = text.find("\r\n", at))
             text.erase(at, 1);
         return text;
     }
 
-    /// False when nobody has the terminal open any more.
+    /// Returns false when no process has the terminal open any more.
     bool read_some(std::string& text) const {
         std::array<char, 4096> buffer;
         ssize_t count;
@@ -207,7 +206,7 @@ class TerminalProgram {
         process = 0;
     }
 
-    int terminal;  ///< our side
+    int terminal;  ///< the test's end of it
     pid_t process = 0;
 };
 

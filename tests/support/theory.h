@@ -10,7 +10,7 @@
 
 namespace sherd::test {
 
-/// Of rigidity 1 N m and 1 kg/m^2, so that results are plate theory's dimensionless numbers.
+/// Material of rigidity 1 N m and 1 kg/m^2, so that results are plate theory's dimensionless numbers.
 inline Material unit_plate(double poisson, double thickness) {
     const double rigidity_of_unit_young = std::pow(thickness, 3) / (12 * (1 - poisson * poisson));
     return {1 / thickness, thickness, 1 / rigidity_of_unit_young, poisson};
@@ -39,8 +39,8 @@ inline std::vector<MirrorHinge> clamp(Shell& shell, const std::vector<char>& sel
     return hinges;
 }
 
-/// Steps until nothing moves any more; implicit Euler with a step far beyond the slowest period takes the
-/// vibration out.
+/// Makes steps of implicit Euler far beyond the slowest period, which damp the vibration, until the sheet is
+/// at rest.
 inline void settle(Shell& shell, StepperOptions options, int steps) {
     options.tolerance = 1e-9;
     ImplicitStepper time_step(shell, options);

@@ -7,7 +7,7 @@
 
 namespace sherd::test {
 
-/// What the Error says that `work` throws; "no error" if there is none.
+/// Returns the message of the Error that `work` throws; "no error" if there is none.
 template <class Work>
 std::string thrown_by(const Work& work) {
     try {

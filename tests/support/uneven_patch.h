@@ -11,7 +11,7 @@ namespace sherd::test {
 inline constexpr int patch_across = 5, patch_along = 7;  // vertices
 inline const Material patch_material{1000, 0.05, 12 / (0.05 * 0.05 * 0.05), 0.3};
 
-/// A rectangle of 1.2 by 0.8 with unequal triangles; each vertex is then put at place(x, y).
+/// Rectangle of 1.2 by 0.8 with unequal triangles; each vertex is then put at place(x, y).
 template <class Place>
 Shell uneven_patch(Place place) {
     Positions rest(3, patch_along * patch_across);
@@ -38,7 +38,7 @@ inline Shell flat_patch() {
     return uneven_patch([](double x, double y) { return Vector3d(x, y, 0); });
 }
 
-/// A saddle-like shell, with angles at rest up to half a radian.
+/// Saddle-like shell, with rest angles up to half a radian.
 inline Shell curved_patch() {
     return uneven_patch(
         [](double x, double y) { return Vector3d(x, y, 0.2 * std::sin(4 * x) + 0.3 * y * y - 0.2 * x * y); });

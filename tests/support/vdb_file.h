@@ -9,13 +9,13 @@
 
 namespace sherd::test {
 
-/// A grid of cubic voxels whose centres in [lower, upper] (numbers of voxels) are active and hold
-/// `value(x, y, z)` of their place in space.
+/// Grid of cubic voxels with active centres in [lower, upper] (numbers of voxels), whose values are `value(x,
+/// y, z)` at their place in space.
 template <class Value>
 openvdb::FloatGrid::Ptr vdb_grid(const std::string& name, double voxel, const openvdb::CoordBBox& active,
                                  float background, const Value& value) {
     openvdb::initialize();
-    // By its type's name: Grid::create would compile all of OpenVDB's tree a second time.
+    // By the name of its type: Grid::create would compile all of OpenVDB's tree a second time.
     auto grid = openvdb::gridPtrCast<openvdb::FloatGrid>(
         openvdb::GridBase::createGrid(openvdb::FloatGrid::gridType()));
     grid->tree().root().setBackground(background, false);

@@ -7,12 +7,13 @@
 
 #include "core/vector.h"
 
-/// A sheet of steel, 1 mm thick, that is bent: as layers, which sections that yield are held against.
+/// Bent sheet of steel, 1 mm thick, in layers: the reference for yielding sections.
 namespace sherd::test::yielding {
 
 inline constexpr double young = 2.1e11, poisson = 0.3, yield = 235e6, thickness = 0.001;
 inline constexpr double yield_moment = yield * thickness * thickness / 6;
-inline constexpr double first = 2 * yield / (young * thickness);  // 1/m, in one direction
+inline constexpr double first =
+    2 * yield / (young * thickness);  // 1/m; curvature at first yield under bending in one direction
 
 inline Matrix3d plane_stress() {
     const double plate = young / (1 - poisson * poisson);
@@ -28,7 +29,7 @@ inline double mises(const Vector3d& s) {
     return std::sqrt(s[0] * s[0] + s[1] * s[1] - s[0] * s[1] + 3 * s[2] * s[2]);
 }
 
-/// The same section as layers of perfectly plastic material, each with its own strain.
+/// Section in layers of perfectly plastic material, each with its own strain.
 class Layers {
   public:
     Vector3d bend(const Vector3d& curvature) {
@@ -42,13 +43,13 @@ class Layers {
         return moment;
     }
 
-    /// What is kept of a curvature at which the section bears this moment.
+    /// Curvature that remains of `curvature` when the section, which bears `moment`, is released.
     static Vector3d kept(const Vector3d& curvature, const Vector3d& moment) {
         return curvature - rigidity().inverse() * moment;
     }
 
   private:
-    /// The stress within the yield surface that is nearest in energy, by halving.
+    /// Stress within the yield surface that is nearest in energy, by bisection.
     static Vector3d returned(const Vector3d& strain) {
         if (Vector3d trial = plane_stress() * strain; mises(trial) <= yield) return trial;
         const Matrix3d form{{1, -0.5, 0}, {-0.5, 1, 0}, {0, 0, 3}}, compliance = plane_stress().inverse();

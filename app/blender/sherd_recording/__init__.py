@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plays a recording of Sherd in Blender: the mesh of each frame is read from the .h5 as it is needed.
+"""Plays a recording of Sherd in Blender: the mesh of each frame is read from the .h5 file when it is shown.
 
 As an add-on: Edit > Preferences > Add-ons > Install, sherd_recording.zip; then File > Import > Sherd recording (.h5).
 From a shell: blender --python play_recording.py -- RUN.h5
 
-The run plays as many times slower than reality as the object's custom property `sherd_slow` says, at first so that it
-lasts 4 to 10 s; between recorded frames the mesh is interpolated. Metres are metres and z is up. The mesh has the
+The object's custom property `sherd_slow` is the factor by which the run plays slower than reality, at first such that
+it lasts 4 to 10 s; between recorded frames the mesh is interpolated. Metres are metres and z is up. The mesh has the
 attributes `fragment` and `strain` (1/m, the largest in absolute value of the face's edges) on its faces and
 `velocity` (m/s) and `original` (the vertex that it is a copy of, or itself) on its vertices; where the recording has
-them, the UV map `texture`, the colours `colour` of corners, and a material for each of its materials. These are made
-once: what is changed in them or in the slots stays, and only which slot a face has goes with the frames. Obstacles and
-free bodies are children of the object, which move as they did; of a plane there is a square. Needs h5py; on Debian
+them, also the UV map `texture`, the colours `colour` of corners, and a material for each of its materials. Materials
+and slots are made once: the user's changes of them stay, and a frame sets only the slot of each face. Obstacles and
+free bodies are children of the object and move as they did; a square stands for a plane. Needs h5py; on Debian
 Blender uses the system's Python, and python3-h5py suffices."""
 
 import math
@@ -60,7 +60,7 @@ def set_attribute(mesh, name, kind, domain, values):
 
 
 def fill(mesh, faces, positions):
-    """Gives the mesh vertices and faces, in their order; materials and shading stay."""
+    """Replaces vertices and faces of the mesh, in the given order; materials and shading stay."""
     smooth = len(mesh.polygons) > 0 and mesh.polygons[0].use_smooth
     mesh.clear_geometry()
     mesh.vertices.add(len(positions))
@@ -84,7 +84,7 @@ def fill_sheets(mesh, state):
 
 
 def show(target, scene):
-    """Shows the recording as it was at the scene's time; before and after it, its first and last frame."""
+    """Shows the recording at the scene's time; before its first frame and after its last one, that frame."""
     with h5py.File(absolute(target[PATH]), "r") as file:
         frames, names = file["frames"], frame_names(file)
         played = (scene.frame_current + scene.frame_subframe) / pictures_a_second(scene)
@@ -97,7 +97,7 @@ def show(target, scene):
 
 
 def place_obstacles(target, file, names, position):
-    """Of obstacles that are still there."""
+    """Moves the objects of obstacles and bodies, but those that the user has deleted."""
     if "obstacles" not in file:
         return
     middles = [file[f"obstacles/{i}/position"][:].mean(axis=0) for i in range(len(file["obstacles/names"]))]
@@ -117,12 +117,12 @@ def play(scene, _depsgraph=None):
         if target.type == "MESH" and PATH in target:
             try:
                 show(target, scene)
-            except (OSError, KeyError, ValueError) as error:  # a run that is going on locks its file for moments
+            except (OSError, KeyError, ValueError) as error:  # a run in progress locks its file for moments
                 print(f"sherd: {target.name}: {error}", file=sys.stderr)
 
 
 def add_obstacles(target, file, context):
-    """Adds an object for each obstacle and free body, as a child of the one that plays the recording."""
+    """Adds an object for each obstacle and free body, as a child of `target`, which plays the recording."""
     for number, name in enumerate(file["obstacles/names"].asstr()[:] if "obstacles" in file else []):
         solid = bpy.data.objects.new(f"obstacle_{name}", bpy.data.meshes.new(name))
         fill(solid.data, *(file[f"obstacles/{number}/{part}"][:] for part in ("face", "position")))
@@ -131,7 +131,8 @@ def add_obstacles(target, file, context):
 
 
 def load(path, context, slow=0):
-    """Adds an object that plays the recording so many times slower than reality (0: as it suits); returns it."""
+    """Adds an object that plays the recording `slow` times slower than reality (0: default_slowdown()); returns it.
+    Raises ValueError if the recording has no frame."""
     name = os.path.splitext(os.path.basename(path))[0]
     with h5py.File(absolute(path), "r") as file:
         names = frame_names(file)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How sheets look: texture coordinates, materials and colours, as far as their files said it."""
+"""The look of sheets: texture coordinates, materials and colours, as far as the files of their meshes have them."""
 
 import os
 import sys
@@ -10,11 +10,11 @@ import numpy as np
 
 from .playback import materials_of
 
-TEXTURE, COLOUR, PLAIN = "texture", "colour", "sheet"  # names of the UV map, the attribute, and of no material
+TEXTURE, COLOUR, PLAIN = "texture", "colour", "sheet"  # UV map, attribute, and the material of faces without any
 
 
 def set_look(mesh, look):
-    """Of a mesh that has just got its faces; how its materials look is left to who has changed them."""
+    """Sets texture coordinates, slots and colours of a mesh whose faces are new; does not change its materials."""
     if look["texture"] is not None:
         layer = mesh.uv_layers.get(TEXTURE) or mesh.uv_layers.new(name=TEXTURE, do_init=False)
         layer.data.foreach_set("uv", look["texture"].ravel().astype(np.float32))
@@ -26,7 +26,7 @@ def set_look(mesh, look):
 
 
 def imported(definitions):
-    """A material for each, which Blender's importer of .obj makes of it."""
+    """Returns a material for each definition (lines of .mtl), as Blender's importer of .obj makes it."""
     names = [f"{number:06}" for number in range(len(definitions))]
     before = set(bpy.data.objects)
     with tempfile.TemporaryDirectory() as folder:
@@ -39,14 +39,14 @@ def imported(definitions):
         bpy.ops.wm.obj_import(filepath=obj)
     carrier = (set(bpy.data.objects) - before).pop()
     mesh = carrier.data
-    made = {material.name[: len(names[0])]: material for material in mesh.materials}  # behind it may be .001
+    made = {material.name[: len(names[0])]: material for material in mesh.materials}  # Blender may append .001
     bpy.data.objects.remove(carrier)
     bpy.data.meshes.remove(mesh)
     return [made[name] for name in names]
 
 
 def drop_lost_pictures(material):
-    """The colour stands for a picture that cannot be read."""
+    """Removes pictures that cannot be read from a material, which shows its colour instead; prints a warning."""
     nodes = material.node_tree.nodes
     for node in [node for node in nodes if node.type == "TEX_IMAGE" and node.image and 0 in node.image.size]:
         picture = node.image
@@ -70,7 +70,7 @@ def base_colour(material):
 
 
 def tint(material):
-    """Multiplies its colour, or its picture, by the attribute."""
+    """Multiplies the material's colour, or its picture, by the colour attribute of the mesh."""
     nodes, link = material.node_tree.nodes, material.node_tree.links.new
     base, product, colour = base_colour(material), nodes.new("ShaderNodeMixRGB"), nodes.new("ShaderNodeVertexColor")
     product.blend_type, product.inputs["Fac"].default_value, colour.layer_name = "MULTIPLY", 1, COLOUR
@@ -84,7 +84,7 @@ def tint(material):
 
 
 def add_materials(mesh, unbroken):
-    """The slots that look_of() tells of, of the recording's mesh at rest."""
+    """Fills the material slots in the order of look_of(). unbroken: the recording's group /rest."""
     known, coloured = materials_of(unbroken), "vertex_colour" in unbroken or "face_colour" in unbroken
     if not known and not coloured:
         return

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a recording shows at any moment. It knows nothing of Blender."""
+"""States of a recording at any time, interpolated between its frames. Does not depend on Blender."""
 
 import math
 from bisect import bisect_right
 
 import numpy as np
 
-NEAR = 1e-6  # of the way between two frames: round-off
+NEAR = 1e-6  # share of the time between two frames that counts as round-off
 NEWEST = 4  # version of the recording's format
 
 
@@ -19,7 +19,7 @@ def frame_names(file):
 
 
 def default_slowdown(seconds):
-    """The smallest of 1, 2, 5, 10, 20, ... that makes a run of so many seconds last 4 s."""
+    """Returns the smallest of 1, 2, 5, 10, 20, ... with which a run of `seconds` plays for at least 4 s."""
     factor, digits = 1.0, (2, 2.5, 2)
     for step in range(300):
         if not 0 < seconds * factor < 4 * (1 - 1e-9):
@@ -29,12 +29,12 @@ def default_slowdown(seconds):
 
 
 def run_times(frames, names):
-    """Time (s) of the first and the last frame."""
+    """Returns the times (s) of the first and the last frame."""
     return frames[names[0]].attrs["time"], frames[names[-1]].attrs["time"]
 
 
 def position_at(frames, names, time):
-    """Where a time (s) lies in the recording: the number of a frame, or between two."""
+    """Returns the position of a time (s) in the recording: the number of a frame, or a number between two."""
     number = max(0, bisect_right(names, time, key=lambda name: frames[name].attrs["time"]) - 1)
     if number + 1 == len(names):
         return float(number)
@@ -44,7 +44,7 @@ def position_at(frames, names, time):
 
 
 def face_strain(frame):
-    """Largest absolute strain of each face's edges."""
+    """Returns the largest absolute strain of each face's edges, [F] 1/m."""
     faces, edges = frame["face/vertices"][:].astype(np.int64), frame["edge/vertices"][:].astype(np.int64)
     count = frame["vertex/position"].shape[0]
 
@@ -58,7 +58,7 @@ def face_strain(frame):
 
 
 def recorded(frame):
-    """What is shown of a frame, its mesh at rest, and how that looks."""
+    """Reads the displayed data of a frame: its mesh and fields, the rest mesh (rest_of()) and the look (look_of())."""
     return {
         "rest": rest_of(frame),
         "look": look_of(rest_group(frame), frame.file["rest"]),
@@ -72,11 +72,12 @@ def recorded(frame):
 
 
 def rest_group(frame):
-    return frame["rest"] if "rest" in frame else frame.file["rest"]  # of a run of before faces could change
+    return frame["rest"] if "rest" in frame else frame.file["rest"]  # older recordings: faces do not change
 
 
 def rest_of(frame):
-    """The mesh of a frame at rest: places (m), the corners of faces, what each is a part of, whether any is mixed."""
+    """Reads the rest mesh of a frame: positions (m), corners of faces, the parent of each face in the unfractured mesh,
+    and whether any face has parts of several parents."""
     rest = rest_group(frame)
     faces = rest["faces"][:]
     return {
@@ -88,7 +89,7 @@ def rest_of(frame):
 
 
 def materials_of(rest):
-    """Names and definitions (lines of .mtl) of the materials of a mesh at rest."""
+    """Reads names and definitions (lines of .mtl) of the materials of a rest mesh."""
     if "surface_material" not in rest:
         return []
     texts = (rest[f"surface_material_{part}"].asstr()[:] for part in ("names", "definitions"))
@@ -96,9 +97,9 @@ def materials_of(rest):
 
 
 def look_of(rest, unbroken):
-    """Of the mesh at rest of a frame, and that of the recording, whose materials are those of the slots, in their
-    order; behind them comes the one of faces without any. texture: [F, 3, 2]; slot: [F]; colour: [F, 3, 4] of corners,
-    sRGB, 0 to 1. What there is not is None."""
+    """Reads the look of a frame. rest: the frame's rest group; unbroken: the recording's. Slots are the recording's
+    materials in their order, followed by one for faces without a material. texture: [F, 3, 2]; slot: [F]; colour:
+    [F, 3, 4] of corners, sRGB, 0 to 1; None where the recording has no such data."""
     look = {"texture": None, "slot": None, "colour": None}
     if "texture" in rest:
         look["texture"] = rest["texture"][:].reshape(-1, 3, 2)
@@ -114,43 +115,45 @@ def look_of(rest, unbroken):
 
 
 def coordinates(rest, faces, point):
-    """Barycentric coordinates of a point in the planes of faces at rest, [N, 3]."""
+    """Returns the barycentric coordinates of a point, projected into the planes of rest faces, [N, 3]; NaN for a face
+    without area."""
     corners = rest["position"][rest["faces"][faces]]
     first, second, way = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0], point - corners[:, 0]
     normal = np.cross(first, second)
     size = (normal * normal).sum(axis=1)
-    size[size == 0] = np.nan  # no face to lie in
+    size[size == 0] = np.nan  # a face without area
     to_second = (np.cross(way, second) * normal).sum(axis=1) / size
     to_third = (np.cross(first, way) * normal).sum(axis=1) / size
     return np.column_stack([1 - to_second - to_third, to_second, to_third])
 
 
 def deepest(rest, faces, point):
-    """Of some faces the one in which a point lies, or beside which it is nearest; and its coordinates there."""
+    """Returns the face in which the smallest barycentric coordinate of a point is largest, so the face in which the
+    point lies if there is one, and its barycentric coordinates there."""
     places = coordinates(rest, faces, point)
     best = np.nan_to_num(places.min(axis=1), nan=-np.inf).argmax()
     return faces[best], places[best]
 
 
 class Births:
-    """Where parts of the later frame's mesh were in the earlier one that are not what they were: what was split, born,
-    moved or flipped lies flat in the earlier face in which its middle is, or around it."""
+    """Locates changed parts of the later frame's mesh in the earlier one: faces and vertices that were split, inserted,
+    moved or flipped lie in the plane of the earlier face that contains the middle of the face, or around it."""
 
     def __init__(self, earlier, later):
         self.earlier, self.later = earlier, later
         self.old, self.new = earlier["rest"], later["rest"]
         self.any_mixed = self.old["mixed"] or self.new["mixed"]
         count = min(len(self.old["position"]), len(self.new["position"]))
-        self.stays = np.zeros(len(self.new["position"]), bool)  # at the same place of the sheet
+        self.stays = np.zeros(len(self.new["position"]), bool)  # [V] whether the rest position is the same
         self.stays[:count] = (self.old["position"][:count] == self.new["position"][:count]).all(axis=1)
 
     def unchanged(self):
-        """Of the faces that the earlier frame has, too."""
+        """Returns for each face of the earlier frame whether the later frame has it unchanged."""
         old, new = self.old["faces"], self.new["faces"][: len(self.old["faces"])]
         return (old == new).all(axis=1) & self.stays[new].all(axis=1)
 
     def around(self, vertices):
-        """The earlier faces at vertices at rest."""
+        """Returns the earlier faces that have a corner in `vertices`, vertices of the rest mesh."""
         return np.flatnonzero(np.isin(self.old["faces"], vertices).any(axis=1))
 
     def whole_of(self, face):
@@ -161,7 +164,8 @@ class Births:
         return deepest(self.old, parts, self.new["position"][corners].mean(axis=0))[0]
 
     def same_vertex(self, vertex, whole):
-        """The earlier vertex that one at rest was at the face `whole`; none: it is not known which."""
+        """Returns the earlier vertex for a rest vertex at the earlier face `whole`; None if it has moved, or has
+        several copies none of which is a corner of that face."""
         if not self.stays[vertex]:
             return None
         at = np.flatnonzero(self.old["faces"][whole] == vertex)
@@ -181,9 +185,9 @@ class Births:
 
 
 def ancestry(earlier, later):
-    """Where the later frame's mesh was in the earlier one: of each vertex three vertices between which it was and their
-    shares, of each face the one that it was or was a part of. Faces keep their corners, so they know which vertices
-    cracks have split."""
+    """Locates the later frame's mesh in the earlier one. Returns for each vertex three earlier vertices and their
+    weights, and for each face the earlier face that it was, or was a part of. Faces keep their corners, which shows
+    the vertices that cracks have split."""
     births = Births(earlier, later)
     count, faces = len(earlier["faces"]), later["faces"]
     before = np.minimum(np.arange(len(later["position"])), len(earlier["position"]) - 1)
@@ -205,8 +209,8 @@ def ancestry(earlier, later):
 
 
 def between(earlier, later, share):
-    """The mesh of the later frame, and its look, with its vertices on their way there: one that a crack made in between
-    comes from where it was in the earlier mesh. Fragments are the earlier frame's until the later one is reached."""
+    """Returns the mesh and look of the later frame with interpolated positions: a vertex that a crack made in between
+    starts where it was in the earlier mesh. Fragments are the earlier frame's until the later one is reached."""
     vertices, shares, wholes = ancestry(earlier, later)
     shown = {**later, "fragment": earlier["fragment"][wholes]}
     for name, start in (
@@ -227,10 +231,10 @@ def state_at(frames, names, position):
 
 
 def turned(earlier, later, share):
-    """The rotation [3, 3] between two others, the shorter way round at constant speed."""
+    """Returns the rotation [3, 3] between two others, by the smaller angle at constant speed."""
     way = later @ earlier.T
     twist = np.array([way[2, 1] - way[1, 2], way[0, 2] - way[2, 0], way[1, 0] - way[0, 1]])
-    size = np.linalg.norm(twist)  # nearly none of half a turn, and of next to no turn
+    size = np.linalg.norm(twist)  # 2 sin(angle): nearly 0 for half a turn and for a tiny one
     angle = share * math.atan2(size, np.trace(way) - 1)
     axis = np.linalg.eigh(way + way.T + np.outer(twist, twist) / max(size, 1e-300))[1][:, -1]
     x, y, z = axis if axis @ twist >= 0 else -axis
@@ -239,14 +243,14 @@ def turned(earlier, later, share):
 
 
 def between_poses(earlier, later, share, middle):
-    """The pose [3, 4] between two others of an obstacle whose middle (m, in its own frame) goes straight."""
+    """Returns the pose [3, 4] of an obstacle between two others; its middle (m, in its own frame) moves straight."""
     rotation = turned(earlier[:, :3], later[:, :3], share)
     start, end = (pose[:, :3] @ middle + pose[:, 3] for pose in (earlier, later))
     return np.column_stack([rotation, start + share * (end - start) - rotation @ middle])
 
 
 def poses_at(frames, names, position, middles):
-    """Of each obstacle, from its own frame to space, [O, 3, 4]."""
+    """Returns the poses of obstacles and bodies, from their own frames to space, [O, 3, 4]."""
     number, share = int(position), position % 1
     earlier, later = (frames[names[i]]["obstacle/pose"][:].reshape(-1, 3, 4) for i in (number, math.ceil(position)))
     if share == 0:
@@ -255,6 +259,6 @@ def poses_at(frames, names, position, middles):
 
 
 def points_at(frames, names, position, number):
-    """Of an obstacle that deforms, in space, [P, 3]."""
+    """Returns the points of an obstacle that deforms, in space, [P, 3] m."""
     earlier, later = (frames[names[i]][f"obstacle/{number}/position"][:] for i in (int(position), math.ceil(position)))
     return earlier + position % 1 * (later - earlier)

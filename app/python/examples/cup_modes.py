@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How a cup rings: its natural modes, of the Hessian of its energy and of its masses."""
+"""Computes the natural modes of a cup from the Hessian of its energy and its lumped masses."""
 import numpy
 import scipy.sparse
 import scipy.sparse.linalg
@@ -18,7 +18,7 @@ rest = cup.rest_positions
 stiffness = cup.hessian(rest)
 masses = scipy.sparse.diags(numpy.repeat(cup.masses, 3))
 
-# It stands free: the six slowest modes are motions of a rigid body, and take nothing.
+# Nothing supports the cup: the six slowest modes are rigid motions, which take no energy.
 squares, shapes = scipy.sparse.linalg.eigsh(stiffness, k=12, M=masses, sigma=-1e5)
 frequencies = numpy.sqrt(numpy.maximum(squares, 0)) / (2 * numpy.pi)
 print(f"{len(rest)} vertices; rigid motions:", *(f"{f:.2f}" for f in frequencies[:6]), "Hz")
@@ -27,7 +27,7 @@ radius, angle = numpy.hypot(rest[:, 0], rest[:, 1]), numpy.arctan2(rest[:, 1], r
 rim = rest[:, 2] > rest[:, 2].max() - 1e-6
 outward = numpy.stack([numpy.cos(angle), numpy.sin(angle)], axis=1)
 for frequency, shape in zip(frequencies[6:], shapes.T[6:]):
-    # The rim goes in and out as a wave around the cup: how many times?
+    # The number of waves around the rim is the largest Fourier component of its radial displacement.
     way = (shape.reshape(-1, 3)[:, :2] * outward).sum(1)[rim]
     waves = [abs((way * numpy.exp(1j * n * angle[rim])).sum()) for n in range(8)]
     print(f"{frequency:8.1f} Hz: {numpy.argmax(waves)} waves around the rim")

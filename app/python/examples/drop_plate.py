@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Drops a plate, records it in plate.h5, and tells of its fragments."""
+"""Drops a plate, records it in plate.h5, and prints the areas of its largest fragments."""
 import numpy
 
 import sherd

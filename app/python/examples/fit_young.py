@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fits a parameter: which Young's modulus has a strip whose end sags as far as was measured?"""
+"""Fits a parameter: finds the Young's modulus with which the end of a strip sags as far as was measured."""
 import numpy
 import scipy.optimize
 
 import sherd
 
-MEASURED = 0.0123  # m, at the end of a strip that is clamped at the other one
+MEASURED = 0.0123  # m, sag of the free end of a strip whose other end is clamped
 SCENE = {
     "sheet": {"strip": {
         "mesh": {"generate": "rectangle", "width": 0.3, "height": 0.03, "edge_length": 0.01},
@@ -17,7 +17,7 @@ SCENE = {
 
 
 def sag(young):
-    """m, of the end under its weight."""
+    """Returns the sag of the free end under the strip's weight, m. young: Pa."""
     simulation = sherd.Simulation(sherd.Scene(SCENE, set={"sheet.strip.material.young": young}))
     rest = simulation.positions
     simulation.run()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A load of one's own: a weight rolls along a steel strip that is held at both ends."""
+"""A load that Python prescribes: a weight rolls along a steel strip that is clamped at both ends."""
 import numpy
 
 import sherd
@@ -20,7 +20,7 @@ rest = simulation.positions
 middle = numpy.argmin(numpy.hypot(rest[:, 0] - LENGTH / 2, rest[:, 1] - 0.05))
 deflection = []
 while not simulation.has_ended:
-    # The weight spreads over the vertices near it, as a bell does.
+    # The vertices near the weight share it by a Gaussian of their distance.
     at = SPEED * simulation.time
     share = numpy.exp(-((rest[:, 0] - at) / 0.03) ** 2)
     forces = numpy.zeros_like(rest)

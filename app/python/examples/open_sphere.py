@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Opens a mesh along edges, without any physics: a globe becomes gores like those of a beach ball, in gores.obj."""
+"""Opens a mesh along edges, without mechanics: a globe becomes gores like those of a beach ball, in gores.obj."""
 import numpy
 
 import sherd
@@ -21,7 +21,7 @@ faces = numpy.concatenate([
     [[b, a, south] for a, b in zip(number[-1], beside[-1])],
 ])
 
-# The meridians of the seams, from pole to pole.
+# The edges to open: meridians from pole to pole.
 edges = []
 for seam in range(0, AROUND, AROUND // GORES):
     meridian = [north, *number[:, seam], south]
@@ -31,7 +31,7 @@ cut = sherd.cut(positions, faces, edges)
 print(f"{len(edges)} edges opened: {cut.fragments.max() + 1} pieces, {len(cut.positions)} vertices of {len(positions)}")
 with open("gores.obj", "w") as file:
     for piece in range(cut.fragments.max() + 1):
-        # Each piece a little away from the others.
+        # Moves each piece a little away from the others.
         corners = cut.faces[cut.fragments == piece]
         used = numpy.unique(corners)
         cut.positions[used] += 0.2 * cut.positions[used].mean(0)

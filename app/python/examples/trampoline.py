@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A body of one's own: a ball, integrated here, bounces on a rubber sheet that Sherd steps."""
+"""Couples a body of the user's: a ball that is integrated here bounces on a rubber sheet that Sherd steps."""
 import numpy
 
 import sherd
 
-RADIUS, MASS, STIFFNESS = 0.05, 0.1, 50.0  # m, kg, N/m for each vertex that it touches
+RADIUS, MASS, STIFFNESS = 0.05, 0.1, 50.0  # m, kg, N/m for each vertex in contact
 GRAVITY = numpy.array([0, 0, -9.81])
 
 simulation = sherd.Simulation({
@@ -20,7 +20,7 @@ simulation = sherd.Simulation({
 centre, velocity = numpy.array([0.2, 0.2, RADIUS + 0.1]), numpy.zeros(3)
 touched, lowest, after = None, centre[2], 0.0
 while not simulation.has_ended:
-    # The sheet pushes the ball out where vertices are in it, and the ball the sheet.
+    # Vertices inside the ball are pushed outwards by a penalty force, and the ball by the opposite one.
     way = simulation.positions - centre
     distance = numpy.linalg.norm(way, axis=1)
     depth = numpy.maximum(RADIUS - distance, 0)

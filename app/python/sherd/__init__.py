@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sherd breaks plates and shells: scenes run from Python, step by step, with arrays of numpy in and out.
+"""Sherd breaks plates and shells: runs scenes from Python, step by step, with numpy arrays as input and output.
 
     import sherd
 
@@ -9,21 +9,21 @@
         simulation.run(observe=lambda report: print(report.time, report.fragments))
     print(simulation.snapshot().positions)
 
-Scene       a scene, of a file or of a dict; meshes may be arrays
-Simulation  steps a scene: state, forces, motions, breaking by hand
+Scene       a scene from a file or a dict; meshes may be arrays
+Simulation  steps a scene: state, forces, motions, prescribed failure of edges
 record      records a simulation, as `sherd run` does
 Recording   reads recordings
-Snapshot    all of the sheets at one moment, of a Simulation or a Recording
-StepReport  what a step did: energies, losses, contacts, peaks
-cut         opens edges of a mesh: topology alone
+Snapshot    state of all sheets at one time, from a Simulation or a Recording
+StepReport  energies, losses, contacts and peaks of a step
+cut         opens edges of a mesh, without mechanics
 Mechanics   energy, gradient and Hessian of sheets at given positions, without time
-Error       what cannot be done, in the words of the program
+Error       an error, with the program's message
 
-Everything is in SI units. Numbers of vertices, edges and faces are rows of the arrays, from 0, and stay what they are
-while cracks add others behind them. Arrays of Snapshot are views that nobody can write to and that never change; all
-other arrays are copies, the caller's own. While a step is computed other threads of Python run; a simulation belongs to
-one thread at a time, and two of them may run in two threads. Ctrl-C ends a step first: the simulation can be used on.
-The same scene gives the same bits as with the program.
+All values are in SI units. Vertices, edges and faces are numbered from 0, by the rows of the arrays; numbers stay valid
+while cracks append new elements. Arrays of Snapshot are read-only views and never change; all other arrays are copies
+that the caller owns. Other Python threads run while a step is computed; only one thread at a time may use a simulation,
+and two simulations may run in two threads. Ctrl-C takes effect after the current step, and the simulation stays usable.
+Results are bitwise equal to those of the program for the same scene.
 """
 from ._cut import Cut, cut
 from ._mechanics import Mechanics

@@ -11,12 +11,12 @@ from ._scene import Scene
 
 
 class Mechanics(_sherd.Mechanics):
-    """Mechanics(scene): the elasticity of a scene's sheets as a function of the positions of their vertices.
+    """Mechanics(scene): elastic energy of a scene's sheets as a function of the positions of their vertices.
 
-    scene  a Scene, or what one is made of. Of its solver `bending` and `membrane` count; loads, contact and
-           time do not.
+    scene  a Scene, or its file or dict. Of the solver's keys only `bending` and `membrane` have an effect. Supports,
+           loads, contact and time have none.
 
-    Raises Error when the scene cannot be built.
+    Issues the scene's warnings. Raises Error if the scene cannot be built.
     """
 
     def __init__(self, scene: Any) -> None:
@@ -25,14 +25,14 @@ class Mechanics(_sherd.Mechanics):
             warnings.warn(warning, stacklevel=2)
 
     def energy(self, positions: ArrayLike) -> float:
-        """J, elastic, at positions [V, 3] m. Raises Error on another shape."""
+        """Returns the elastic energy, J, at positions [V, 3] m. Raises Error if the array has another shape."""
         return sum(self.energies(positions).values())
 
     def hessian(self, positions: ArrayLike) -> Any:
-        """The exact second derivative of the energy at positions [V, 3] m.
+        """Returns the exact second derivative of the energy at positions [V, 3] m.
 
-        A symmetric scipy.sparse.csc_matrix [3 V, 3 V], N/m; coordinate c of vertex v has the row 3 v + c. Raises
-        ImportError without scipy, and Error on positions of another shape.
+        The matrix is a symmetric scipy.sparse.csc_matrix [3 V, 3 V], N/m; row 3 v + c belongs to coordinate c of vertex
+        v. Raises ImportError without scipy, and Error if the array has another shape.
         """
         import scipy.sparse
 

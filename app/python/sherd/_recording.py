@@ -11,13 +11,14 @@ from ._simulation import Simulation
 
 @contextlib.contextmanager
 def record(simulation: Simulation, file: str | os.PathLike[str], force: bool = False) -> Iterator[Simulation]:
-    """with record(simulation, "run.h5"): records what is stepped within, as `sherd run` records it.
+    """with record(simulation, "run.h5"): records the steps that are made within the block, as `sherd run` does.
 
-    There are frames where the scene wants them, the first one at once and one at the end; steps and events are all
-    there. An .xdmf for ParaView goes beside the file. The simulation must not have made a step yet. When the block ends
-    with an exception the recording has all until then, and says so. force: replaces a file that is there.
+    Writes a frame at the start, frames at the times that the scene asks for, a frame at the end, all steps and all
+    events, and an .xdmf for ParaView beside the file. If the block raises an exception the recording has all steps
+    until then; Recording.end is "failed: ..." after an Error, with no frame at the end, and else "interrupted". force:
+    whether to replace an existing file.
 
-    Raises Error when the file is there or cannot be written.
+    Raises Error if the simulation has made a step or is being recorded, or if the file exists or cannot be written.
     """
     simulation._record(os.fspath(file), force)
     try:

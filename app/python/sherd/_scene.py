@@ -10,7 +10,7 @@ from ._toml import lines_of, value_of
 
 
 def _without_arrays(scene: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
-    """The scene with names instead of meshes that are arrays, and these by name."""
+    """Returns the scene with a name in place of each mesh of arrays, and these meshes by name."""
     sheets, meshes = {}, {}
     if not isinstance(scene.get("sheet"), Mapping):
         return dict(scene), meshes
@@ -25,18 +25,18 @@ def _without_arrays(scene: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str,
 
 
 class Scene(_sherd.Scene):
-    """Scene(source, set={}, variant=""): a scene, read and checked.
+    """Scene(source, set={}, variant=""): a scene that has been read and checked.
 
-    source   the file of a scene, or its name: "plate_drop" is plate_drop.toml here, or else the scene that is
-             installed with the program, beside this Python. Or a dict as the TOML file would be, in which a sheet's
-             mesh may be arrays: "mesh": {"positions": [V, 3] m, "faces": [F, 3]}, with "remesh" if it is to have other
-             triangles. Vertices and faces of such a mesh keep their numbers, of several sheets one after the other.
-             Files in a dict are relative to the working directory.
-    set      values of keys that are to be others, by dotted names: {"solver.step": 1e-5}
-    variant  of the file
+    source   the file of a scene, or its name: "plate_drop" is plate_drop.toml in the working directory or, if there is
+             none, the scene that is installed with the program, beside this Python. Or a dict with the keys of a TOML
+             file, in which a sheet's mesh may be arrays: "mesh": {"positions": [V, 3] m, "faces": [F, 3]}, with
+             "remesh" for other triangles. Without "remesh" vertices and faces keep their order; those of several sheets
+             follow one another. Files in a dict are relative to the working directory.
+    set      settings: values by dotted names of keys, {"solver.step": 1e-5}, which replace those of the source
+    variant  name of a variant of the scene
 
-    Every key is described in scenes/README.md of Sherd. Raises Error with a line for each mistake; lines of a dict
-    are those of `text`, which is in the message's scene "<dict>".
+    The file scenes/README.md of Sherd describes all keys. Raises Error with a line for each mistake; for a dict the
+    messages name the scene "<dict>" and lines of `text`. Raises TypeError if a value has no equivalent in TOML.
     """
 
     def __init__(self, source: str | os.PathLike[str] | Mapping[str, Any], set: Mapping[str, Any] | None = None,

@@ -13,12 +13,13 @@ from ._scene import Scene
 class Simulation(_sherd.Simulation):
     """Simulation(scene, threads=1): steps a scene.
 
-    scene    a Scene, or what one is made of: a file, a dict
-    threads  that explicit steps may use at most; results do not depend on them
+    scene    a Scene, or its file or dict
+    threads  largest number of threads of explicit steps; results do not depend on it
 
-    Warns of what the program would warn of. Raises Error when the scene cannot be built.
+    Issues the warnings that the program would print. Raises Error if the scene cannot be built. Methods and the state
+    raise Error while another thread is in step().
 
-    The first simulation of a process lets the OpenBLAS that Sherd uses compute in one thread.
+    The first simulation of a process sets the OpenBLAS that Sherd uses to one thread.
     """
 
     def __init__(self, scene: Any, threads: int = 1) -> None:
@@ -27,13 +28,13 @@ class Simulation(_sherd.Simulation):
             warnings.warn(warning, stacklevel=2)
 
     def run(self, until: float | None = None, observe: Callable[[_sherd.StepReport], object] | None = None) -> bool:
-        """Steps on to the scene's end, or until a time (s), past the scene's end if need be.
+        """Makes steps until the scene's end, or until a time (s), which may be after the scene's end.
 
-        observe  is called with the StepReport after each step; when it returns True the run ends there. It may look at
-                 the simulation and change it.
+        observe  function that is called with the StepReport after each step; the run ends when it returns True. It may
+                 read and change the simulation.
 
-        Returns whether it came to the end that was asked for. Ctrl-C raises KeyboardInterrupt after the step. Raises
-        Error when a step cannot be solved.
+        Returns whether that end was reached: False if `observe` ended the run. Ctrl-C raises KeyboardInterrupt after
+        the current step. Raises Error if a step cannot be solved.
         """
         rounding = 1e-12
         end = math.inf if until is None else until * (1 - rounding)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Scenes of Python's values as TOML."""
+"""Converts scenes of Python values to TOML."""
 from __future__ import annotations
 
 import json
@@ -12,12 +12,13 @@ import numpy
 
 
 def key_of(name: str) -> str:
-    """A key as TOML has it, in quotes where it needs them."""
+    """Returns a key in TOML, in quotes where necessary."""
     return name if re.fullmatch(r"[A-Za-z0-9_-]+", name) else json.dumps(name, ensure_ascii=False)
 
 
 def value_of(value: Any) -> str:
-    """A value as TOML has it, in one line. Raises TypeError on what is no number, text, path, list, array or dict."""
+    """Returns a value in TOML, on one line. Raises TypeError if it is not a number, bool, str, path, list, tuple, array
+    or mapping."""
     if isinstance(value, (numpy.ndarray, numpy.generic)):
         value = value.tolist()
     if isinstance(value, os.PathLike):
@@ -36,7 +37,7 @@ def value_of(value: Any) -> str:
 
 
 def lines_of(table: Mapping[str, Any], path: str = "") -> Iterator[str]:
-    """The lines of a table; tables in it are below headers of their own."""
+    """Yields the lines of a table in TOML; tables within it follow under headers of their own."""
     inner = {key: value for key, value in table.items() if isinstance(value, Mapping)}
     if path and (len(inner) < len(table) or not table):
         yield f"[{path}]"

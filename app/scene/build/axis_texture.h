@@ -9,8 +9,8 @@
 namespace sherd {
 
 /// Returns (cos, sin) of twice the angle at texture coordinates (u, v), up to a length of at most about one,
-/// and zero where there is no direction. Doubled, an axis is the same vector when it is turned over, so that
-/// the bilinear mean of four texels (texels_around) has no jump where the angle passes 180 degrees.
+/// and zero where there is no direction. With the doubled angle, opposite directions are the same vector, so
+/// that the bilinear mean of four texels (texels_around) has no jump where the angle passes 180 degrees.
 Eigen::Vector2d doubled_direction(const Image& image, AxisEncoding encoding, const Eigen::Vector2d& uv);
 
 }  // namespace sherd

@@ -11,7 +11,7 @@
 namespace sherd {
 namespace {
 
-constexpr double flat = 1e-6;  // of the mesh's diagonal: single-precision files are no better
+constexpr double flat = 1e-6;  // share of the mesh's diagonal: accuracy of single-precision files
 
 Vector3d normal_of_flat(const Mesh& mesh, const BendSpec& bend) {
     const MeshMeasures extent = measure(mesh);
@@ -37,7 +37,7 @@ Positions bent_start(const BendSpec& bend, const Mesh& placed, const Eigen::Isom
     for (const Vertex v : placed.vertices()) {
         const Vector3d p = position(placed, v);
         const double length = along.dot(p - from), half = 0.5 * bend.curvature * length;
-        // The chord over the arc, which is half of the arc's angle off the tangent.
+        // Chord of the arc, at half the arc's angle to the tangent.
         const double chord = half == 0 ? length : length * std::sin(half) / half;
         start.col(static_cast<Index>(v)) =
             p + (chord * std::cos(half) - length) * along + chord * std::sin(half) * normal;

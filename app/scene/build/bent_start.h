@@ -6,9 +6,9 @@
 
 namespace sherd {
 
-/// Returns [3, V] m, where the vertices of a sheet start that is flat at rest and is rolled to a cylinder:
-/// lines along `along` become arcs and keep their length. Throws Error naming the scene's line and key when
-/// the mesh is not flat, or `along` is across it.
+/// Returns the start positions, [3, V] m, of a sheet that is flat at rest and is rolled to a cylinder: lines
+/// along bend.along become arcs of the same length. Throws Error naming the scene's line and key if the mesh
+/// is not flat, or bend.along is normal to it.
 Positions bent_start(const BendSpec& bend, const Mesh& placed, const Eigen::Isometry3d& place);
 
 }  // namespace sherd

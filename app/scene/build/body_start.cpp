@@ -11,9 +11,9 @@ namespace sherd {
 namespace {
 
 constexpr double placement_rounding =
-    1e-6;  // of a body's size: less is rounding, as of what is placed on a floor
+    1e-6;  // share of a body's size: less is round-off, as in placing on a plane
 
-/// m, how deep the deepest foot is in a shape; less than zero if none is.
+/// Depth, m, of the deepest of the body's contact points in a shape; negative if none is inside.
 double depth(const RigidBody& body, const Shape& shape, const Eigen::Isometry3d& there) {
     double deepest = -1;
     for (const Vector3d& foot : body.contact_points)

@@ -7,8 +7,8 @@
 
 namespace sherd {
 
-/// Throws Error, with the scene's lines and keys, if a free body starts in an obstacle or in another body,
-/// whose springs would fling it out. The obstacles and bodies are those of the scene, in its order.
+/// Throws Error, with the scene's lines and keys, if a free body starts inside an obstacle or another body,
+/// whose contact springs would fling it out. The obstacles and bodies are those of the scene, in its order.
 void require_free_bodies(const Scene& scene, const std::vector<Obstacle>& obstacles,
                          const std::vector<RigidBody>& bodies);
 

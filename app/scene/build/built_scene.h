@@ -9,20 +9,20 @@
 
 namespace sherd {
 
-/// A scene as it is before its first step: all that a Simulation is made of.
+/// A scene before its first step: the input of a Simulation.
 struct BuiltScene {
-    std::vector<SheetInput> inputs;  ///< of the scene's sheets, in its order, where they start
-    BreakableShell sheets;           ///< made of all inputs
+    std::vector<SheetInput> inputs;  ///< inputs of the scene's sheets, in its order, where they start
+    BreakableShell sheets;           ///< made from all inputs
     SimulationOptions options;
 };
 
-/// Makes all that a scene says. It throws Error, naming the scene's line and key, on a sheet that cannot be
-/// made, that is too thick for its mesh to hold its shape, or that does not start apart from others or free
-/// of obstacles; on a load or a support that reaches nothing; and on an obstacle that cannot be made.
-/// Warnings are sentences, also of sheets that were moved apart.
+/// Builds a scene. Throws Error, naming the scene's line and key, on a sheet that cannot be made, that is too
+/// thick to be stable on its mesh, or that does not start apart from other sheets and obstacles; on a load or
+/// support that acts on nothing; on a gauge beside its sheet; and on an obstacle that cannot be made.
+/// Warnings are sentences, also about sheets that were moved apart.
 BuiltScene build_scene(const Scene& scene, std::vector<std::string>& warnings);
 
-/// Does the same with sheets that make_sheet() has made: all of the scene, in its order.
+/// Builds a scene from the inputs that make_sheet() has made of all its sheets, in its order.
 BuiltScene build_scene(const Scene& scene, std::vector<SheetInput> inputs,
                        std::vector<std::string>& warnings);
 

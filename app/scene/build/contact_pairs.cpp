@@ -12,11 +12,11 @@
 namespace sherd {
 namespace {
 
-constexpr double most_pairs = 5e7;  // some 3 GB
+constexpr double most_pairs = 5e7;  // about 3 GB
 
 struct EdgesOfSheet {
-    double length;  ///< m, on the mean
-    double pairs;   ///< of its elements that are nearer to each other than it is thick, about
+    double length;  ///< m, mean
+    double pairs;   ///< estimated number of element pairs nearer than the thickness
 };
 
 EdgesOfSheet edges_of(const SheetInput& input) {

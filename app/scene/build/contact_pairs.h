@@ -8,9 +8,9 @@
 
 namespace sherd {
 
-/// Throws Error (input), naming the sheet and what to do, if the edges of a sheet are so much shorter than it
-/// is thick that contact would have more pairs of elements to watch than memory and time allow. Inputs are
-/// those of the scene, in its order.
+/// Throws Error (input), naming the sheet and a remedy, if the edges of a sheet are so much shorter than its
+/// thickness that contact would have more candidate pairs than memory and time allow. Inputs are those of the
+/// scene, in its order.
 void require_few_pairs(const Scene& scene, const std::vector<SheetInput>& inputs);
 
 }  // namespace sherd

@@ -8,9 +8,9 @@
 
 namespace sherd {
 
-/// How far cracks by toughness may run in a step of the scene, and which step resolves them edge by edge
-/// (resolving_step()). Empty in statics, where no sheet has a toughness, and where explicit steps are short
-/// enough, as they are meant to be.
+/// Message on how far cracks by toughness may propagate in a step of the scene, and on the step that resolves
+/// them edge by edge (resolving_step()). Empty in statics, without a toughness, and where explicit steps are
+/// short enough.
 std::string crack_step_words(const Scene& scene, const BreakableShell& sheets);
 
 }  // namespace sherd

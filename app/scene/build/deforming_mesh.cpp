@@ -12,12 +12,12 @@ namespace sherd {
 namespace {
 
 constexpr double farthest_point = 1e9;  // m, from the origin
-constexpr double least_share = 0.05;    // of a cache, that a run should see
+constexpr double least_share = 0.05;    // share of a cache that a run should cover
 
-/// The triangles of a mesh file, on those of its points that they use.
+/// The triangles of a mesh file, and the points that they use.
 struct UsedTriangles {
     std::vector<std::array<Index, 3>> triangles;
-    std::vector<Index> points;  ///< the number in the file of each
+    std::vector<Index> points;  ///< number in the file of each used point
 };
 
 UsedTriangles used(const TriangleSoup& soup) {
@@ -46,7 +46,7 @@ PolygonSoup read_polygons(const std::filesystem::path& file) {
     return soup;
 }
 
-/// An edge without length says nothing of the surface that it stands for.
+/// Throws Error if an edge has no length in the first sample, since such an edge has no direction.
 void require_edges(const UsedTriangles& mesh, const Positions& first, const std::filesystem::path& file) {
     for (const auto& triangle : mesh.triangles)
         for (int i = 0; i < 3; ++i) {

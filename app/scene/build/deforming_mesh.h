@@ -7,18 +7,18 @@
 
 namespace sherd {
 
-/// A mesh whose points a cache moves.
+/// A mesh that deforms by a point cache.
 struct DeformingMesh {
-    ColliderSurface surface;  ///< as in the first sample
+    ColliderSurface surface;  ///< surface in the first sample
     Deformation deformation;
 };
 
-/// Reads the mesh of an obstacle as it is in its file, and its cache. Points that no face uses are left out.
-/// Throws Error naming the file: what reading either of them throws, or when their points are not the same
-/// ones, or edges have no length in the first sample; warnings begin with the file.
+/// Reads the mesh of an obstacle unchanged from its file, and its cache. Points that no face uses are left
+/// out. Throws Error naming the file if either cannot be read, if their numbers of points differ, or if an
+/// edge has no length in the first sample. Warnings begin with the file.
 DeformingMesh make_deforming_mesh(const ObstacleMesh& spec, std::vector<std::string>& warnings);
 
-/// Warns where a cache is over before the scene is, or hardly begun at its end.
+/// Adds a warning if a cache ends before the scene does, or the scene covers only a small part of it.
 void warn_of_cache(const ObstacleSpec& spec, const Deformation& deformation, double duration,
                    std::vector<std::string>& warnings);
 

@@ -19,8 +19,8 @@ namespace {
 using VertexPair = std::pair<std::uint32_t, std::uint32_t>;
 using EdgesByEnds = std::vector<std::pair<VertexPair, Edge>>;
 
-/// The mesh's edges, in the order of the numbers of their ends in the file. Where the reader separated what
-/// was not manifold, several edges share a pair.
+/// The mesh's edges, in the order of the numbers of their ends in the file. Where the reader has separated a
+/// non-manifold edge, several edges have the same pair of ends.
 EdgesByEnds edges_by_file_vertices(const Mesh& mesh) {
     const auto number = find_property<Vertex, std::uint32_t>(mesh, property::file_vertex).first;
     EdgesByEnds edges;
@@ -31,7 +31,7 @@ EdgesByEnds edges_by_file_vertices(const Mesh& mesh) {
     return edges;
 }
 
-/// The one edge between `ends`. Throws Error, which begins with `where`, when it cannot be cut.
+/// The only edge between `ends`. Throws Error, beginning with `where`, if it cannot be cut.
 Edge interior_edge(const Mesh& mesh, const EdgesByEnds& edges, const VertexPair& ends,
                    const std::string& where) {
     const auto before = [](const auto& a, const auto& b) { return a.first < b.first; };

@@ -8,8 +8,8 @@
 
 namespace sherd {
 
-/// Adds the scene's loads to the options. `mechanics` is that of all inputs. Throws Error, naming the scene's
-/// line and key, on a load that acts on nothing.
+/// Adds the scene's loads to the options. `mechanics` has all inputs. Throws Error, naming the scene's line
+/// and key, on a load that acts on nothing.
 void add_loads(const Scene& scene, const std::vector<SheetInput>& inputs, const Shell& mechanics,
                SimulationOptions& options);
 

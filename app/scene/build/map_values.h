@@ -10,20 +10,20 @@
 
 namespace sherd {
 
-/// The values of a map at the vertices of a sheet [V], or at the middles of its edges [E]: `placed` is its
-/// mesh where the scene places it. Along a seam of a texture they are the mean of what the faces there see; a
-/// property has in the middle of an edge the mean of both ends. Throws Error on a file that is missing,
-/// damaged or of another kind, on a mesh without texture coordinates or without the property, and on a grid
-/// that the file does not hold. A warning says how many places lie outside a grid's active region.
+/// The values of a map at the vertices of a sheet [V], or at the middles of its edges [E]. placed: the
+/// sheet's mesh where the scene places it. Along a seam of a texture the value is the mean over the faces
+/// there; a property has the mean of both ends in the middle of an edge. Throws Error on a file that is
+/// missing, damaged or of another kind, on a mesh without texture coordinates or without the property, and on
+/// a grid that is not in the file. A warning gives the number of places outside a grid's active region.
 std::vector<double> vertex_values(const MapSource& source, const SheetSpec& sheet, const Mesh& placed,
                                   std::vector<std::string>& warnings);
 std::vector<double> edge_values(const MapSource& source, const SheetSpec& sheet, const Mesh& placed,
                                 std::vector<std::string>& warnings);
 
-/// The source as an error names it: the file's name, or the property.
+/// Name of the source for errors: the file's name, or the property.
 std::string source_words(const MapSource& source);
 
-/// From the placed mesh back to the frame of its file, in which grids are.
+/// The map from the placed mesh back to the frame of its file, in which grids are.
 Eigen::Affine3d to_file(const SheetSpec& sheet);
 
 /// The middle of an edge, m.

@@ -39,7 +39,8 @@ Vector3d turned(const Vector3d& tangent, const Vector3d& normal, double angle) {
     return std::cos(angle) * tangent + std::sin(angle) * normal.cross(tangent);
 }
 
-/// None: the direction is perpendicular to the face.
+/// The unit vector along the direction in the face's plane; none if the direction is perpendicular to the
+/// face.
 std::optional<Vector3d> projected(const Vector3d& direction, const Vector3d& normal) {
     const Vector3d tangent = direction - direction.dot(normal) * normal;
     constexpr double perpendicular = 1e-6;  // rad
@@ -64,7 +65,7 @@ class Projection {
             }
         throw Error(fmt::format("face {} has no normal", face.idx()), Fault::run);
     }
-    std::vector<Face> replaced;  ///< faces that the direction is perpendicular to
+    std::vector<Face> replaced;  ///< faces perpendicular to the direction
 
   private:
     Eigen::Matrix3d turn;
@@ -87,7 +88,7 @@ std::vector<Vector3d> axes_of(const AxisDirection& axis, const Mesh& mesh, const
     return axes;
 }
 
-/// The axis at `angle` (rad) from the direction in which u grows and v does not, towards that of v.
+/// The axis at `angle` (rad) from the direction along which u grows and v is constant, towards that of v.
 Vector3d axis_over_texture(const FaceTexture& corners, double angle, const Mesh& mesh, Face face) {
     const FaceShape shape = shape_of(mesh, face);
     Eigen::Matrix2d texture;

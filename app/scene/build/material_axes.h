@@ -11,10 +11,10 @@
 namespace sherd {
 
 /// Returns the first material axis of each face [F], unit vectors in the faces' planes, on the mesh as it is
-/// placed. Where the direction is perpendicular to a face, the mesh's y axis (or z, or x) takes its place,
-/// which a warning tells. It throws Error, naming the scene's line and key, on a texture that is missing,
-/// damaged or no PNG, on a mesh without texture coordinates or axes, on a face whose coordinates have no
-/// area, and where texture or field have no direction.
+/// placed. Where the direction is perpendicular to a face, the mesh's y axis (or z, or x) replaces it, with a
+/// warning. Throws Error, naming the scene's line and key, on a texture that is missing, damaged or no PNG,
+/// on a mesh without texture coordinates or axes, on a face whose texture coordinates have no area, and where
+/// texture or field have no direction.
 std::vector<Eigen::Vector3d> material_axes(const MaterialAxis& axis, const Mesh& placed,
                                            const Eigen::Isometry3d& place,
                                            std::vector<std::string>& warnings);

@@ -24,7 +24,8 @@ void transform(Mesh& mesh, const Eigen::Affine3d& map) {
     }
 }
 
-/// Makes edges along the lines of the sheet's cracks: the mesh of a file keeps what it has.
+/// Inserts edges along the lines of the sheet's cracks into a generated mesh; the mesh of a file is kept as
+/// it is.
 void cut_cracks(Mesh& mesh, const SheetSpec& sheet) {
     if (!sheet.fracture || !std::holds_alternative<GeneratedMesh>(sheet.mesh)) return;
     LineCut cut(mesh, false);
@@ -53,7 +54,7 @@ Mesh make(const GeneratedMesh& spec, const Scene& scene, std::vector<std::string
 
 void warn_of_remesh(double edge_length, const Mesh& mesh, const Remeshed& result,
                     std::vector<std::string>& warnings) {
-    constexpr double far = 0.25;  // of the edge length
+    constexpr double far = 0.25;  // share of the edge length
     if (result.texture_lost)
         warnings.push_back(fmt::format(
             "remesh = {}: the texture coordinates are lost, since most edges of the file are seams of them",
@@ -107,13 +108,13 @@ Mesh make(const GivenMeshName& spec, const Scene& scene, std::vector<std::string
                       remeshed);
 }
 
-/// m, the largest extent.
+/// Largest extent, m.
 double size_of(const Mesh& mesh) {
     const MeshMeasures measures = measure(mesh);
     return (measures.upper - measures.lower).maxCoeff();
 }
 
-/// What a double still tells apart, and no shell is beyond.
+/// Throws Error on sizes beyond those of any shell; within them doubles have enough digits.
 void require_size(const Mesh& mesh) {
     constexpr double smallest = 1e-9, largest = 1e9;  // m
     const double size = size_of(mesh);
@@ -124,9 +125,9 @@ void require_size(const Mesh& mesh) {
                     size, smallest, largest));
 }
 
-/// Far from the origin the digits of a double do not tell vertices apart.
+/// Throws Error if the sheet is so far from the origin that the digits of doubles do not resolve its edges.
 void require_near(const Mesh& mesh, const SheetSpec& sheet) {
-    constexpr double most_round_off = 1e-4;  // of an edge
+    constexpr double most_round_off = 1e-4;  // share of the mean edge
     const MeshMeasures measures = measure(mesh);
     const double farthest =
         std::max(measures.upper.cwiseAbs().maxCoeff(), measures.lower.cwiseAbs().maxCoeff());

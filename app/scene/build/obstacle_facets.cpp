@@ -10,17 +10,18 @@
 namespace sherd {
 namespace {
 
-constexpr int fewest_segments = 48, most_segments = 192;  // of a circle
+constexpr int fewest_segments = 48, most_segments = 192;  // per circle
 
-/// An even number of segments of a circle that are nowhere farther than the sagitta from it.
+/// Even number of segments of a circle with at most this sagitta, m, within fewest_segments and
+/// most_segments.
 int segments_of(double radius, double sagitta) {
     const double half_angle = std::acos(std::clamp(1 - sagitta / radius, -1.0, 1.0));
     const double count = std::numbers::pi / std::max(half_angle, std::numbers::pi / most_segments);
     return std::max(fewest_segments, 2 * static_cast<int>(std::ceil(count / 2)));
 }
 
-/// A closed profile of (r, z), from its lower end on the axis to its upper one, turned about the z axis. The
-/// ends are one point each.
+/// Surface of revolution about the z axis of a profile of (r, z), from its lower end on the axis to its upper
+/// one. Each end is a single point.
 ColliderSurface revolved(const std::vector<Vector2d>& profile, int segments, const Eigen::Affine3d& map) {
     const int rows = static_cast<int>(profile.size()) - 2;
     Positions points(3, 2 + rows * segments);

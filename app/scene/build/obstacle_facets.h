@@ -8,11 +8,11 @@
 
 namespace sherd {
 
-// These are the surfaces of shapes, as triangles that face outward, in the frame of the shape. Round ones
-// have their points on the surface and their facets inside it, by about `sagitta` (m), but no fewer of them
-// than are good to look at and no more than 37,000.
+// Surfaces of shapes, as triangles that face outward, in the frame of the shape. Points of round shapes lie
+// on the surface and facets inside it, by about `sagitta` (m); there are enough facets for pictures, and at
+// most 37,000.
 
-ColliderSurface facets(const PlaneShape& plane, double sagitta);  ///< empty: it has no corner and no edge
+ColliderSurface facets(const PlaneShape& plane, double sagitta);  ///< empty: without corner or edge
 ColliderSurface facets(const SphereShape& sphere, double sagitta);
 ColliderSurface facets(const CylinderShape& cylinder, double sagitta);
 ColliderSurface facets(const BoxShape& box, double sagitta);

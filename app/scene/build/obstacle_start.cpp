@@ -20,15 +20,15 @@
 namespace sherd {
 namespace {
 
-constexpr double deepest_start = 0.25, noticed = 1e-3;  // of the thickness
+constexpr double deepest_start = 0.25, noticed = 1e-3;  // shares of the thickness
 
 /// The vertices of one sheet that touch one obstacle at the start.
 struct InsideObstacle {
     std::size_t count = 0;
     Vertex deepest;
-    double depth = 0;                                   ///< m, from where they touch on
-    std::vector<Vertex> deep;                           ///< those that are too deep
-    std::vector<std::pair<Index, double>> depths = {};  ///< of those that are counted, m
+    double depth = 0;                                   ///< m, overlap of the deepest
+    std::vector<Vertex> deep;                           ///< vertices that are too deep
+    std::vector<std::pair<Index, double>> depths = {};  ///< m, overlaps of the counted vertices
 };
 
 bool is_refused(const InsideObstacle& found) {
@@ -65,11 +65,11 @@ std::string message(const SheetSpec& sheet, const SheetInput& input, const Obsta
         place_words(input.starts_at(found.deepest)), found.depth);
 }
 
-/// How the faces of one sheet stand to the surface of one obstacle.
+/// Faces of one sheet that start across or near to the surface of one obstacle.
 struct SurfaceMeeting {
     std::vector<StartFault> crossing, near;
-    double distance = std::numeric_limits<double>::infinity();  ///< m, of the nearest pair that pushes
-    double touching = 0;                                        ///< m, half the thickness there
+    double distance = std::numeric_limits<double>::infinity();  ///< m, of the nearest pair
+    double touching = 0;                                        ///< m, half the thickness of this pair
     Vector3d at = Vector3d::Zero();
 };
 
@@ -77,8 +77,8 @@ bool is_refused(const SurfaceMeeting& found) {
     return !found.crossing.empty() || std::isfinite(found.distance);
 }
 
-/// A face of the sheets that has its part of a pair of a sheet's elements and a solid's, whose vertices are
-/// numbered before the sheets'.
+/// A face that contains the sheet's element of a contact pair between a sheet and a collider. Vertices of
+/// colliders are numbered before those of sheets.
 Face face_of(const Mesh& mesh, const ContactPair& pair, Index collider_vertices) {
     std::vector<Index> own;
     for (const Index v : pair.vertices)
@@ -100,7 +100,7 @@ std::vector<Face> faces_through(const Mesh& mesh, const Obstacle& obstacle,
     return crossing;
 }
 
-/// Of each sheet, how it stands to the obstacle's surface.
+/// The faces of each sheet that start across or near to an obstacle's surface.
 std::vector<SurfaceMeeting> surface_meetings(const BreakableShell& all, std::size_t sheets,
                                              const Obstacle& obstacle) {
     std::vector<SurfaceMeeting> found(sheets);
@@ -117,7 +117,7 @@ std::vector<SurfaceMeeting> surface_meetings(const BreakableShell& all, std::siz
         const PairPositions local = columns(contact.at_end(x), pair.vertices);
         const double touching = contact.surface().thickness(pair.kind, pair.vertices);
         const double apart = distance(pair, local);
-        if (apart >= (1 - 2 * deepest_start) * touching) continue;  // a surface that deforms pushes it off
+        if (apart >= (1 - 2 * deepest_start) * touching) continue;  // contact separates such a pair gently
         const Face face = face_of(all.mesh(), pair, contact.surface().collider_vertices());
         const StartFault fault = start_fault(FaultKind::near_obstacle, face, all);
         SurfaceMeeting& met = found[fault.sheet];
@@ -131,7 +131,7 @@ std::vector<SurfaceMeeting> surface_meetings(const BreakableShell& all, std::siz
     return found;
 }
 
-/// The same for each obstacle.
+/// surface_meetings() for each obstacle.
 std::vector<std::vector<SurfaceMeeting>> surface_meetings(const BreakableShell& all, std::size_t sheets,
                                                           const std::vector<Obstacle>& obstacles) {
     std::vector<std::vector<SurfaceMeeting>> found;

@@ -17,13 +17,13 @@
 namespace sherd {
 namespace {
 
-constexpr double voxels_along = 100;  // the diagonal of a mesh: half a million voxels or less
-/// Of the box around a mesh, which a solid fills at least: less is a flat mesh, and round-off.
+constexpr double voxels_along = 100;  // voxels along a mesh's diagonal: half a million or less in all
+/// Least share of its bounding box that a solid fills: less is a flat mesh, or round-off.
 constexpr double least_filled = 1e-9;
-constexpr double sagitta = 0.05;  // of the thinnest sheet's thickness: what facets lie inside round shapes
+constexpr double sagitta = 0.05;  // share of the thinnest sheet's thickness, for facets of round shapes
 
-/// What sheets and balls need of shapes, m: how far inside round ones their facets may lie, and how far from
-/// the surface distances are asked for.
+/// Requirements of sheets and balls on shapes, m: largest sagitta of facets, and the distance from the
+/// surface up to which distances are needed.
 struct Need {
     double sagitta, reach;
 };
@@ -36,7 +36,7 @@ Need need_of(const ThicknessRange& sheets, const std::vector<ObstacleSpec>& bodi
     return need;
 }
 
-/// An obstacle's shape, with what follows from it.
+/// An obstacle's shape, with its surface and deformation.
 struct Made {
     std::shared_ptr<const Shape> shape;
     ColliderSurface surface;
@@ -82,11 +82,12 @@ std::shared_ptr<const ColliderSurface> shared(ColliderSurface surface) {
     return surface.size() == 0 ? nullptr : std::make_shared<ColliderSurface>(std::move(surface));
 }
 
-/// How a mesh lies in the frame of its body, whose origin is the centre of mass and whose axes are principal.
+/// Place and moments of a mesh in the frame of its body, whose origin is the centre of mass and whose axes
+/// are principal.
 struct MeshFrame {
     Eigen::Isometry3d place = Eigen::Isometry3d::Identity();  ///< from the body's frame to the mesh's
     double volume = 0;
-    Vector3d inertia;  ///< m^5, for each unit of density
+    Vector3d inertia;  ///< m^5, principal moments for unit density
 };
 
 /// Throws Error if the mesh is not the closed surface of a solid.
@@ -112,9 +113,9 @@ MeshFrame frame_of(const Mesh& mesh) {
     return frame;
 }
 
-/// A body of a mesh, where the mesh has it.
+/// A body from a mesh, placed as in the mesh's frame.
 RigidBody make_body(const ObstacleMesh& spec, const FreeMotion& free, const Need& need) {
-    std::vector<std::string> told;  // by who makes the obstacle that the body is without being free
+    std::vector<std::string> told;  // not printed: make_obstacles() returns the same warnings
     Mesh mesh = read_mesh(spec.file, told);
     return with_context(spec.file.path.string(), [&] {
         const MeshFrame frame = frame_of(mesh);
@@ -145,7 +146,7 @@ RigidBody make_body(const BoxShape& box, const FreeMotion& free, const Need&) {
     return body;
 }
 
-/// No other kind is free (read_obstacle()).
+/// Never called: read_obstacle() accepts no other kind as a free body.
 template <class Other>
 RigidBody make_body(const Other&, const FreeMotion&, const Need&) {
     return {};

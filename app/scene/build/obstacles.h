@@ -8,15 +8,16 @@
 
 namespace sherd {
 
-/// Makes obstacles of a scene, in its order, as they are without being free, for sheets that are so thick.
-/// Meshes and level sets are read here; bodies: the free ones that meet them, whose balls are felt as far off
-/// as they are large. Throws Error naming the scene's line and key; warnings are sentences.
+/// Makes obstacles from their specs, in order; those of free bodies give obstacles at their start. Meshes and
+/// level sets are read here. sheets: the range of thicknesses for which facets and distances must do. bodies:
+/// free bodies that may touch the obstacles; distances reach as far as the largest ball's radius. Throws
+/// Error naming the scene's line and key; warnings are sentences.
 std::vector<Obstacle> make_obstacles(const std::vector<ObstacleSpec>& specs, const ThicknessRange& sheets,
                                      std::vector<std::string>& warnings,
                                      const std::vector<ObstacleSpec>& bodies = {});
 
-/// Makes the scene's free bodies, in its order. Throws Error naming the scene's line and key where a mesh is
-/// no solid.
+/// Makes the scene's free bodies, in its order. Throws Error naming the scene's line and key if a mesh is no
+/// solid.
 std::vector<RigidBody> make_bodies(const Scene& scene, const ThicknessRange& sheets);
 
 }  // namespace sherd

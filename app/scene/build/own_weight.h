@@ -9,10 +9,11 @@
 
 namespace sherd {
 
-/// Warns of supported sheets whose weight at rest is more than half of what they bear: it acts from time 0
-/// on, and a sheet that begins without it swings to twice its sag. Statics of the sheet alone tell, without
-/// obstacles and other loads; where they find no rest, as of cloth and of what can turn, nothing is said.
-/// Inputs are those of the scene, in its order.
+/// Warns of supported sheets in which the static stress of their own weight exceeds half the strength. The
+/// weight acts from time 0 on, and a sheet that starts without it oscillates to twice its static sag. The
+/// stress is computed by statics of the sheet alone, without obstacles and other loads; there is no warning
+/// if statics find no equilibrium, as for cloth and for sheets that can rotate. Inputs are those of the
+/// scene, in its order.
 void warn_of_own_weight(const Scene& scene, const std::vector<SheetInput>& inputs,
                         std::vector<std::string>& warnings);
 

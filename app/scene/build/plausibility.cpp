@@ -18,7 +18,7 @@
 namespace sherd {
 namespace {
 
-// How many times as large as thick a sheet may be. Thin ones are cloth, paper and foil, which are larger.
+// Limits on a sheet's size over its thickness; larger for cloth, paper and foil, which are thin.
 constexpr double most_of_plates = 2000, most_of_foils = 20000, least = 5;
 constexpr double foil = 1e-3;              // m
 constexpr double most_short_edges = 0.05;  // share of the edges that may be shorter than the thickness
@@ -28,11 +28,10 @@ constexpr double most_locked_faces = 0.05;  // share of the faces that may lock
 constexpr double smallest_edge = 0.02;  // share of the mean edge
 constexpr double coarsest_edge = 0.25;  // share of the sheet's size
 constexpr double advised_edge = 0.03;   // share of the sheet's size
-constexpr double steps_a_period = 10;   // the slowest vibration: with that many its first peak is 39 % low
+constexpr double steps_a_period = 10;   // for the slowest vibration: its first peak is then 39 % low
 
-/// Strain at which a sheet breaks, of the least and of the most that is credible: nothing that holds together
-/// breaks at a millionth, what is as stiff as wood or stiffer not at a fifth (whiskers and fibres: a tenth),
-/// and nothing at ten.
+/// Least and largest credible strains at fracture: no solid fractures at a millionth; none as stiff as wood
+/// or stiffer withstands a fifth (whiskers and fibres: a tenth), and none at all ten.
 constexpr double weakest = 1e-6, strongest_stiff = 0.2, strongest = 10;
 constexpr double stiff = 1e9;  // Pa
 
@@ -55,7 +54,7 @@ void warn_of_size(const SheetInput& input, const SheetSpec& sheet, std::vector<s
                                    advice));
 }
 
-/// Speeds of sound, m/s, of the softest gels and beyond diamond.
+/// Warns of speeds of sound, m/s, below that of the softest gels or above that of diamond.
 void warn_of_material(const SheetInput& input, const SheetSpec& sheet, std::vector<std::string>& warnings) {
     constexpr double slowest = 1, fastest = 25000;
     const double speed = std::sqrt(mean_young(input.material) / input.material.density);
@@ -93,7 +92,7 @@ void warn_of_tiny_edges(const SheetInput& input, const SheetSpec& sheet, std::ve
                     sheet.where, sheet.name, mesh.smallest_edge, mesh.mean_edge));
 }
 
-/// A mesh that was modelled with as few faces as its form needs, as one disc of an n-gon.
+/// Warns of a mesh that was modelled with as few faces as its shape needs, such as a disc of one n-gon.
 void warn_of_long_edges(const SheetInput& input, const SheetSpec& sheet, std::vector<std::string>& warnings) {
     const MeshFile* file = std::get_if<MeshFile>(&sheet.mesh);
     if (!sheet.fracture || !file || file->remesh) return;
@@ -107,7 +106,7 @@ void warn_of_long_edges(const SheetInput& input, const SheetSpec& sheet, std::ve
                     sheet.where, sheet.name, mesh.largest_edge, size, round_step(size * advised_edge)));
 }
 
-/// Whether no face can lock, by its edges and the angles between faces alone.
+/// Whether edge lengths and angles between faces exclude locking: a cheap sufficient test.
 bool surely_free_of_locking(const SheetInput& input) {
     const Mesh& mesh = input.mesh;
     const auto normal = [&](Face face) {
@@ -158,7 +157,7 @@ void warn_of_long_step(const SheetInput& input, const SheetSpec& sheet, const Sc
                     sheet.where, scene.solver.step, sheet.name, period, period / steps_a_period));
 }
 
-/// Strain, of the surface, at which a threshold is reached.
+/// Surface strain at which a threshold is reached.
 double strain_at(double threshold, const SheetInput& input) {
     if (input.strength.measure == Measure::stress) return threshold / mean_young(input.material);
     return threshold * input.material.thickness / 2;
@@ -175,7 +174,8 @@ void warn_of_threshold(const SheetInput& input, const SheetSpec& sheet, std::vec
     const auto& [along, across] = std::pair(input.strength.along, input.strength.across);
     double low = std::min(along, across), high = std::max(along, across);
     if (const auto range = factor_range(input.strength.factors)) {
-        // As a whole: a map may hold the strengths themselves, and lines may be scored or kept whole.
+        // Low and high limits of all edges: a map may contain the strengths themselves, and lines may be
+        // scored or unbreakable.
         high *= range->most;
         low *= range->least;
     }
@@ -195,7 +195,8 @@ void warn_of_threshold(const SheetInput& input, const SheetSpec& sheet, std::vec
                                : "strain is in 1/m: strain of the surface over half the thickness"));
 }
 
-/// m/s, at most, with which a sheet and anything that it may meet come together at the start.
+/// Upper bound, m/s, of the speed at which a sheet and anything that it may touch approach each other at the
+/// start.
 double approach(std::size_t sheet, const Scene& scene, const std::vector<SheetInput>& inputs,
                 const SimulationOptions& options) {
     const SheetInput& input = inputs[sheet];
@@ -224,7 +225,7 @@ void warn_of_long_ways(const Scene& scene, const std::vector<SheetInput>& inputs
     }
 }
 
-/// Of the caches of what deforms.
+/// Warns of the caches of deforming obstacles.
 void warn_of_deforming(const Scene& scene, const SimulationOptions& options,
                        std::vector<std::string>& warnings) {
     for (std::size_t o = 0; o < scene.obstacles.size(); ++o) {
@@ -234,7 +235,7 @@ void warn_of_deforming(const Scene& scene, const SimulationOptions& options,
     }
 }
 
-/// Positions are doubles: far from the origin their steps are strains.
+/// Warns of sheets far from the origin, where the spacing of doubles is a noticeable strain.
 void warn_of_distance(const SheetInput& input, const SheetSpec& sheet, std::vector<std::string>& warnings) {
     double farthest = 0;
     for (const Vertex v : input.mesh.vertices())

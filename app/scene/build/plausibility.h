@@ -9,11 +9,12 @@
 
 namespace sherd {
 
-/// Warns of what can be computed but is hardly meant: sheets that are far too large or small for their
-/// thickness, as of a mesh that was never scaled; thresholds that no material has; edges that are shorter
-/// than the sheet is thick, or so long that a curved sheet locks; what goes farther in a step than it should;
-/// places so far from the origin that their digits
-/// run out; and obstacles that nothing can reach. Inputs and options are those of the scene, in its order.
+/// Warns of input that can be computed but is probably a mistake: sheets that are far too large or small for
+/// their thickness, such as a mesh that was not scaled; material constants and strengths that no material
+/// has; edges that are shorter than the thickness, or so long that a curved sheet locks; steps that are too
+/// long for vibrations and motions; positions so far from the origin that round-off matters; caches that do
+/// not match the duration; and obstacles that nothing can reach. Inputs and options are those of the scene,
+/// in its order.
 void warn_of_implausible(const Scene& scene, const std::vector<SheetInput>& inputs,
                          const SimulationOptions& options, std::vector<std::string>& warnings);
 

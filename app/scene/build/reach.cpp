@@ -16,9 +16,9 @@ namespace {
 
 using Box = Eigen::AlignedBox3d;
 
-constexpr int moments = 400;    // that the duration is looked at
-constexpr double slack = 0.05;  // of a sheet's size: it bends and vibrates while it flies
-constexpr double throwing = 3;  // how much faster than all before it a splinter may be
+constexpr int moments = 400;    // intervals into which the duration is divided
+constexpr double slack = 0.05;  // share of a sheet's size, for its deformation in flight
+constexpr double throwing = 3;  // speed of the fastest splinter over the largest before
 constexpr double any_gap = std::numeric_limits<double>::infinity();
 
 /// A sheet or a free body.
@@ -26,11 +26,11 @@ struct Mover {
     Box box;  ///< at the start
     Vector3d velocity;
     double damping;                    ///< 1/s
-    double met = any_gap;              ///< s, from when on it may go anywhere
-    std::optional<Box> met_near = {};  ///< where it was then
+    double met = any_gap;              ///< s, time from which on its direction of motion is arbitrary
+    std::optional<Box> met_near = {};  ///< box at this time
 };
 
-/// A fixed or moving obstacle, and how near anything comes to it.
+/// A fixed or moving obstacle, and the least distance of anything from it.
 struct Target {
     const Obstacle* obstacle;
     double gap = any_gap;  ///< m
@@ -38,7 +38,7 @@ struct Target {
 
 struct Flight {
     Vector3d gravity;
-    double top_speed;  ///< m/s, of everything in the scene
+    double top_speed;  ///< m/s, largest in the scene
 };
 
 Box around(const Vector3d& centre, double radius) {
@@ -78,12 +78,13 @@ Box box_at(const Obstacle& obstacle, double time) {
     return {points.rowwise().minCoeff(), points.rowwise().maxCoeff()};
 }
 
-/// Around an obstacle in an interval.
+/// Box around an obstacle during an interval, from its ends.
 Box swept(const Obstacle& obstacle, double from, double to) {
     return box_at(obstacle, from).merged(box_at(obstacle, to));
 }
 
-/// m, less than nought or nought where they may meet; around: the obstacle in this interval.
+/// Gap, m, between a box and an obstacle; at most 0 where they may meet. around: box around the obstacle in
+/// this interval.
 double gap(const Box& box, const Obstacle& obstacle, const Box& around, double from, double to) {
     if (const auto* plane = dynamic_cast<const PlaneShape*>(obstacle.shape.get())) {
         double least = any_gap;
@@ -98,7 +99,7 @@ double gap(const Box& box, const Obstacle& obstacle, const Box& around, double f
     return box.exteriorDistance(around);
 }
 
-/// m/s, of the fastest corner of a box that a motion carries.
+/// Largest speed, m/s, of the corners of a box that moves with `motion`.
 double top_speed(const Motion& motion, const Box& box, double duration) {
     if (motion.keys.empty()) return 0;
     double fastest = 0;
@@ -112,7 +113,7 @@ double top_speed(const Motion& motion, const Box& box, double duration) {
     return fastest;
 }
 
-/// m/s, of the fastest point of what deforms.
+/// Largest speed, m/s, of the points of a deforming obstacle.
 double top_speed(const Obstacle& obstacle, double duration) {
     double fastest = 0;
     const double interval = duration / moments;
@@ -173,7 +174,7 @@ double fastest_of(const Scene& scene, const std::vector<SheetInput>& inputs, con
     return fastest;
 }
 
-/// How near each obstacle and each body, in this order, comes to anything else that moves, m.
+/// Least gap, m, of each obstacle and then each body to all sheets and all other bodies.
 std::vector<double> gaps(const std::vector<Obstacle>& obstacles, std::size_t sheets,
                          std::vector<Mover> movers, const Flight& flight, double duration) {
     std::vector<double> of_obstacles(obstacles.size(), any_gap), of_movers(movers.size(), any_gap);

@@ -5,7 +5,7 @@
 
 namespace sherd {
 
-/// A step (s) to write into a scene: one digit, not above this one.
+/// Rounds a step (s) down to one significant digit, to be written into a scene.
 inline double round_step(double longest) {
     const double digit = std::pow(10.0, std::floor(std::log10(longest)));
     return std::floor(longest / digit + 1e-9) * digit;

@@ -11,12 +11,12 @@
 
 namespace sherd {
 
-/// Returns the edges that are scored, each once. Throws Error, naming the scene's line and key, on a list of
-/// edges for a mesh that is not as in its file, and on what read_edge_list and edge_path throw on.
+/// Returns the scored edges, each once. Throws Error, naming the scene's line and key, on a list of edges for
+/// a mesh that is not as in its file, and like read_edge_list() and edge_path().
 std::vector<Edge> scored_edges(const Score& score, const Mesh& placed, const Eigen::Isometry3d& place);
 
 /// The edges of the cracks that sheets have from the start, numbered over all inputs, ascending. Throws Error
-/// as scored_edges() does, and on an edge of the rim.
+/// like scored_edges(), and on an edge of the boundary.
 std::vector<Edge> cracked_edges(const Scene& scene, const std::vector<SheetInput>& inputs);
 
 }  // namespace sherd

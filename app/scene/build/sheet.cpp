@@ -16,7 +16,7 @@
 namespace sherd {
 namespace {
 
-/// The paper's limit of validity, section 8.
+/// Warns beyond the paper's limit of validity (section 8).
 void warn_of_stretching(const SheetInput& input, const SheetSpec& sheet, std::vector<std::string>& warnings) {
     const Material material = thickest_material(input);
     const double edge = measure(input.mesh).mean_edge, ratio = stretch_over_bend(material, edge);
@@ -29,7 +29,7 @@ void warn_of_stretching(const SheetInput& input, const SheetSpec& sheet, std::ve
         edge * std::sqrt(least_stretch_over_bend / ratio)));
 }
 
-/// Whether it matters where its material's axis points.
+/// Whether the sheet's material, strength or toughness depend on the material axis.
 bool has_directions(const SheetSpec& sheet) {
     if (!is_isotropic(sheet.material)) return true;
     return sheet.fracture && (sheet.fracture->strength.along != sheet.fracture->strength.across ||

@@ -10,7 +10,7 @@
 namespace sherd {
 
 /// Makes a sheet of a scene, where the scene places it. Throws Error naming the scene's line and key;
-/// warnings are sentences, and `remeshed` gets words of how far a remeshed surface is from its file's.
+/// warnings are sentences. remeshed: see make_unplaced_mesh().
 SheetInput make_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings,
                       std::string* remeshed = nullptr);
 

@@ -15,10 +15,10 @@ namespace sherd {
 namespace {
 
 constexpr std::size_t most_shown = 5;
-constexpr double farthest = 0.05;  // that a sheet is moved, of its thickness
-constexpr double steepest = 0.5;   // cosine between two normals of contact that one motion serves
+constexpr double farthest = 0.05;  // largest displacement of a sheet, share of its thickness
+constexpr double steepest = 0.5;   // least cosine between a normal of contact and the mean normal
 
-/// The fault of one face of an overlap; faces of all sheets are numbered in the sheets' order.
+/// The fault of one face of an overlap. face: numbered over all sheets.
 StartFault fault_of(Index face, const StartOverlap& overlap, const BreakableShell& all) {
     return start_fault(overlap.crossing ? FaultKind::crossing : FaultKind::too_near, Face(face), all);
 }
@@ -59,13 +59,14 @@ std::string exemption(const Scene& scene, const BreakableShell& all,
         sentences(scene, all, overlaps));
 }
 
-/// A sheet, and how it has to move, m.
+/// A sheet, and its displacement (m) that removes an overlap.
 struct Parting {
     Index sheet;
     Vector3d way;
 };
 
-/// How to part two sheets, a before b, whose faces overlap so; none where one motion does not do.
+/// The displacement that parts two sheets, a before b, with these overlaps; none if one translation cannot do
+/// so.
 std::optional<Parting> parting(const Scene& scene, Index a, Index b,
                                const std::vector<StartOverlap>& overlaps) {
     Vector3d mean = Vector3d::Zero();
@@ -84,7 +85,8 @@ std::optional<Parting> parting(const Scene& scene, Index a, Index b,
     return Parting{b, way * normal};
 }
 
-/// The overlaps by the two sheets that they are of; none if there is one that no motion of sheets mends.
+/// Overlaps by their two sheets. by_sheets() returns none if there is an overlap that no motion of sheets
+/// removes.
 using OverlapsOfSheets = std::map<std::array<Index, 2>, std::vector<StartOverlap>>;
 
 std::optional<OverlapsOfSheets> by_sheets(const BreakableShell& all,
@@ -106,14 +108,14 @@ void move(SheetInput& input, const Vector3d& way) {
     input.start.colwise() += way;
 }
 
-/// Sheets that were parted, and how far each was moved, m.
+/// Parted sheets, and the displacement of each, m.
 struct PartedSheets {
     std::vector<SheetInput> inputs;
     BreakableShell all;
     std::vector<Vector3d> moved;
 };
 
-/// Moves sheets until none overlap; none where one would have to go too far.
+/// Moves sheets until none overlap; returns none if one would have to move too far.
 std::optional<PartedSheets> part(const Scene& scene, const std::vector<SheetInput>& inputs,
                                  const BreakableShell& all, std::vector<StartOverlap> overlaps) {
     PartedSheets parted{inputs, all, std::vector<Vector3d>(inputs.size(), Vector3d::Zero())};

@@ -10,17 +10,17 @@
 
 namespace sherd {
 
-/// Sees to it that sheets that meet each other start apart, with half their thickness on either side. Those
-/// that lack a little are moved, each as a whole along the normal of contact, by a twentieth of the thickness
-/// at most, with a warning that says which and how far. Of two sheets the upper one is moved, and never one
-/// that is held. Where that is not enough all stay, and what overlaps is exempt from contact until it is
-/// apart, with a warning that names faces (numbered from 0 in each sheet) that cross or are too near; with
-/// ContactSpec::exempt unset it throws Error instead. The inputs are those of all sheets, in the scene's
-/// order; `all` is made of them, and is made anew when one is moved.
+/// Makes sheets that collide with each other start apart, with half their thickness on either side. Sheets
+/// that overlap a little are moved, each as a whole along the normal of contact, by at most a twentieth of
+/// the thickness, with a warning that names sheet and displacement. Of two sheets the upper one is moved, and
+/// never a supported one. If this does not suffice, all stay, and overlapping faces are exempt from contact
+/// until they have separated, with a warning that names faces (numbered from 0 in each sheet) that intersect
+/// or are too near; if ContactSpec::exempt is not set, an Error is thrown instead. The inputs are those of
+/// all sheets, in the scene's order; `all` is made from them, and made again if one is moved.
 void part_sheets(const Scene& scene, std::vector<SheetInput>& inputs, BreakableShell& all,
                  std::vector<std::string>& warnings);
 
-/// Returns the faces that part_sheets() exempts, or throws for: two of each pair, one after the other.
+/// Returns the faces that part_sheets() exempts, or for which it throws: the two of each pair in sequence.
 std::vector<StartFault> sheet_faults(const Scene& scene, const std::vector<SheetInput>& inputs,
                                      const BreakableShell& all);
 

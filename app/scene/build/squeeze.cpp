@@ -18,38 +18,38 @@ namespace sherd {
 namespace {
 
 constexpr int moments_beside_keys = 200;
-constexpr int looks = 16;                 // at what is between, before the gap is narrow
+constexpr int looks = 16;  // moments at which sheets between are searched for, before the gap is narrow
 constexpr double noticed_squeeze = 1e-2;  // share of the thickness
-constexpr double bend_slack = 0.05;       // share of a sheet's size, by which it bends while it flies
-constexpr double needle_width = 1e-6;     // of its length
+constexpr double bend_slack = 0.05;       // share of a sheet's size, for its bending in flight
+constexpr double needle_width = 1e-6;     // share of its length
 
-/// A sheet where it starts.
+/// A sheet at its start, as an object between two obstacles.
 struct Between {
     std::vector<Vector3d> points;                 ///< m
-    std::vector<std::array<Index, 3>> triangles;  ///< without those that are held at three vertices
-    Vector3d velocity, gravity;                   ///< m/s, m/s^2; nought: it stays
-    double thickness;                             ///< m, where it is thinnest
+    std::vector<std::array<Index, 3>> triangles;  ///< without triangles pinned at all three vertices
+    Vector3d velocity, gravity;                   ///< m/s, m/s^2; zero for a supported sheet
+    double thickness;                             ///< m, smallest
 
     Vector3d flown(double time) const { return time * velocity + 0.5 * time * time * gravity; }
 };
 
-/// A point of one obstacle that comes near to the other one.
+/// A point of one obstacle that comes too near to the other.
 struct NarrowPoint {
-    Index point;    ///< among Pair::points_at()
-    Vector3d foot;  ///< m, on the other one, in its frame
-    double first;   ///< s, the first moment at which the gap is too narrow
-    double gap;     ///< m, the least
-    double time;    ///< s, when it is so
+    Index point;    ///< index in Pair::points_at()
+    Vector3d foot;  ///< m, nearest point of the other obstacle, in its frame
+    double first;   ///< s, first moment at which the gap is too narrow
+    double gap;     ///< m, least gap
+    double time;    ///< s, moment of the least gap
 };
 
 std::optional<NarrowPoint> narrower(const std::optional<NarrowPoint>& one, const NarrowPoint& other) {
     return one && one->gap <= other.gap ? one : other;
 }
 
-/// Two obstacles, with points of the first.
+/// Two obstacles, with points on the surface of the first.
 struct Pair {
     const Obstacle *one, *other;
-    Positions added;  ///< m, in the frame of the first, of its surface
+    Positions added;  ///< m, further points of the first's surface, in its frame
 
     Positions points_at(double time) const {
         Positions placed = one->motion.at(time) * added;
@@ -73,7 +73,7 @@ Between between(const SheetInput& input, const SheetSpec& sheet, const Vector3d&
     return found;
 }
 
-/// Points of a shape that are nearest to the middles of a sheet's faces, in the shape's frame.
+/// The points of a shape that are nearest to the middles of a sheet's faces, in the shape's frame.
 Positions feet(const Between& sheet, const Obstacle& obstacle) {
     std::vector<Vector3d> feet;
     const Eigen::Isometry3d back = obstacle.motion.at(0).inverse();
@@ -97,7 +97,7 @@ std::vector<double> moments_of(const Pair& pair, double end) {
     return times;
 }
 
-/// All points of the first that come nearer to the other one than `least` (m).
+/// All points of the first obstacle that come nearer to the other than `least` (m).
 std::vector<NarrowPoint> narrow_points(const Pair& pair, std::span<const double> times, double least) {
     std::vector<std::optional<NarrowPoint>> found;
     Eigen::AlignedBox3d near = pair.other->shape->bounds();
@@ -123,7 +123,7 @@ std::vector<NarrowPoint> narrow_points(const Pair& pair, std::span<const double>
     return narrow;
 }
 
-/// Adds a line between points that will come together, as a needle that a sheet may cross.
+/// Adds the line between two points that will come together, as a thin triangle that a sheet may cross.
 void add_needle(Mesh& needles, const Vector3d& from, const Vector3d& to) {
     const Vector3d aside = needle_width * (to - from).norm() * (to - from).unitOrthogonal();
     const Vertex a = needles.add_vertex(point_at(from)), b = needles.add_vertex(point_at(to)),
@@ -131,8 +131,8 @@ void add_needle(Mesh& needles, const Vector3d& from, const Vector3d& to) {
     needles.add_face(a, b, c);
 }
 
-/// The narrowest of the points that will be narrow and have the sheet, moved on by `shift`, between them and
-/// their feet at a moment.
+/// The narrowest of the points between which and their feet the sheet, displaced by `shift`, lies at a
+/// moment.
 std::optional<NarrowPoint> crossed(const Pair& pair, const std::vector<NarrowPoint>& narrow,
                                    const Between& sheet, double time, const Vector3d& shift) {
     Mesh needles;
@@ -151,7 +151,7 @@ std::optional<NarrowPoint> crossed(const Pair& pair, const std::vector<NarrowPoi
     return worst;
 }
 
-/// The narrowest such point at the first of some moments at which there is one.
+/// The narrowest point crossed by the sheet, at the first moment at which there is one.
 std::optional<NarrowPoint> certain(const Pair& pair, const std::vector<NarrowPoint>& narrow,
                                    const Between& sheet) {
     double last = 0;
@@ -164,7 +164,7 @@ std::optional<NarrowPoint> certain(const Pair& pair, const std::vector<NarrowPoi
     return std::nullopt;
 }
 
-/// The narrowest of the points that lie in the box of what the sheet flies through until then.
+/// The narrowest of the points that lie in the box through which the sheet flies until they are narrow.
 std::optional<NarrowPoint> possible(const Pair& pair, const std::vector<NarrowPoint>& narrow,
                                     const Between& sheet) {
     Eigen::AlignedBox3d start;
@@ -173,14 +173,14 @@ std::optional<NarrowPoint> possible(const Pair& pair, const std::vector<NarrowPo
     start = Eigen::AlignedBox3d(start.min() - room, start.max() + room);
     std::optional<NarrowPoint> worst;
     for (const NarrowPoint& point : narrow) {
-        if (point.first == 0) continue;  // the obstacles are joined there
+        if (point.first == 0) continue;  // the obstacles touch there from the start
         const Eigen::AlignedBox3d way = start.merged(start.translated(sheet.flown(point.first)));
         if (way.contains(pair.other->motion.at(point.first) * point.foot)) worst = narrower(worst, point);
     }
     return worst;
 }
 
-/// What a pair does to a sheet at its narrowest.
+/// The narrowest points of a pair between which a sheet lies, or may lie.
 struct Squeeze {
     std::optional<NarrowPoint> certain, possible;
 };
@@ -223,7 +223,7 @@ SqueezedSheets squeezed_sheets(const Scene& scene, const std::vector<SheetInput>
         const std::string name = "sheet." + scene.sheets[s].name;
         for (std::size_t one = 0; one < obstacles.size(); ++one)
             for (std::size_t other = 0; other < obstacles.size(); ++other) {
-                // Each pair once, with one that moves first.
+                // Each pair is checked once, with a moving obstacle first.
                 if (!obstacles[one].moves() || one == other) continue;
                 if (obstacles[other].moves() && other < one) continue;
                 const Squeeze found = squeeze(sheet, obstacles[one], obstacles[other], end);

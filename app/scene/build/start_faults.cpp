@@ -10,7 +10,7 @@ namespace sherd {
 std::vector<StartFault> start_faults(const Scene& scene, const std::vector<SheetInput>& inputs,
                                      const BreakableShell& all) {
     std::vector<StartFault> faults = sheet_faults(scene, inputs, all);
-    std::vector<std::string> told;  // by who makes them for the run
+    std::vector<std::string> told;  // not printed: build_scene() returns the same warnings
     for (const auto* specs : {&scene.obstacles, &scene.bodies}) {
         const std::vector<StartFault> found =
             obstacle_faults(inputs, all, make_obstacles(*specs, thickness_range(inputs), told));

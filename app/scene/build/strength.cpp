@@ -11,10 +11,10 @@
 namespace sherd {
 namespace {
 
-/// Of a toughness: none at all would leave the crack to the strength.
+/// Least factor on the toughness: a toughness of 0 stands for none, with cracks by strength.
 constexpr double least_factor = 1e-6;
 
-/// Other numbers for each sheet, and others than those that the meshes are generated from.
+/// Seed of the scatter, which differs for each sheet, and from the seed of generated meshes.
 std::uint32_t scatter_seed(const SheetSpec& sheet, const Scene& scene) {
     const auto number = static_cast<std::uint32_t>(&sheet - scene.sheets.data());
     constexpr std::uint32_t odd = 0x9E3779B9;

@@ -7,15 +7,14 @@
 
 namespace sherd {
 
-/// Returns what the hinges of a sheet that breaks withstand: its strength, and for each edge of `placed` the
-/// product of the factors of the scatter, which comes from the scene's seed, of the maps and of the scores of
-/// the strength; infinite where it never breaks. Throws Error naming the scene's line and key; warnings are
-/// sentences.
+/// Returns the strength of a sheet that can fail. The factor of each edge of `placed` is the product of those
+/// of the scatter (with the scene's seed), of the maps and of the scores of the strength; infinite where it
+/// never fails. Throws Error naming the scene's line and key; warnings are sentences.
 Strength sheet_strength(const SheetSpec& sheet, const Scene& scene, const Mesh& placed,
                         std::vector<std::string>& warnings);
 
-/// The toughness of a sheet that breaks, with the factors of the maps and of the scores of the toughness, and
-/// the speed limit of its material unless one is given. Throws as sheet_strength() does.
+/// The toughness of a sheet that can fail, with the factors of the maps and of the scores of the toughness,
+/// and the speed limit of its material unless one is given. Throws Error like sheet_strength().
 Toughness sheet_toughness(const SheetSpec& sheet, const Mesh& placed, std::vector<std::string>& warnings);
 
 }  // namespace sherd

@@ -9,9 +9,9 @@
 
 namespace sherd {
 
-/// Returns factors of the strength [E] by what edge_values() says of a sheet's map, infinite where the map
-/// says never. Throws Error, naming the scene's line and key, where edge_values() does, and on a value that
-/// is negative or not finite.
+/// Returns factors of the strength [E] from edge_values() of a sheet's map; infinite where the map says
+/// `never`. Throws Error, naming the scene's line and key, like edge_values(), and on a value that is
+/// negative or not finite.
 std::vector<double> map_factors(const StrengthMap& map, const SheetSpec& sheet, const Mesh& placed,
                                 std::vector<std::string>& warnings);
 

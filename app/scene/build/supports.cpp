@@ -16,7 +16,7 @@
 namespace sherd {
 namespace {
 
-constexpr double on_plane = 1e-6;  // of the mesh's diagonal: single-precision files are no better
+constexpr double on_plane = 1e-6;  // share of the mesh's diagonal: accuracy of single-precision files
 
 std::vector<char> vertices_on(const SymmetrySpec& plane, const SheetInput& input, Index first, Index count) {
     const MeshMeasures extent = measure(input.mesh);
@@ -35,7 +35,7 @@ bool holds_a_triangle(const Shell& mechanics, const std::vector<char>& selected)
     });
 }
 
-/// What holds each vertex, and the directions that are left to it.
+/// The supports of each vertex, and its remaining free directions.
 class Holds {
   public:
     explicit Holds(std::size_t vertices) : by(vertices), freedom(vertices, Matrix3d::Identity()) {}
@@ -68,7 +68,7 @@ class Holds {
     std::vector<Matrix3d> freedom;
 };
 
-/// The middle of the box around what a pin holds.
+/// The centre of the bounding box of some vertices.
 Vector3d middle(const std::vector<Index>& vertices, const Mesh& placed) {
     Eigen::AlignedBox3d box;
     for (const Index v : vertices) box.extend(position(placed, Vertex(v)));
@@ -135,7 +135,7 @@ std::vector<MovingPin> moving_pins(const SheetSpec& sheet, const Mesh& placed) {
 
 namespace {
 
-/// Adds the supports of all sheets, one after the other.
+/// Adds the supports of sheets, in the order of support_names().
 class SupportBuilder {
   public:
     SupportBuilder(const Scene& scene, const std::vector<SheetInput>& inputs, const Shell& mechanics,
@@ -186,13 +186,13 @@ class SupportBuilder {
         holds.add(options.stepper.supports++, held, plane.normal);
     }
 
-    /// Adds a hinge of the support that comes next.
+    /// Adds a mirror hinge of the next support.
     void add(const MirrorHinge& hinge) {
         options.stepper.shell.mirrors.push_back(hinge);
         options.stepper.shell.mirror_supports.push_back(options.stepper.supports);
     }
 
-    /// lambda (N m) of the hinge on a boundary side.
+    /// Stiffness lambda (N m) of the mirror hinge on a boundary side.
     double stiffness(const TriangleEdge& side) const {
         const SheetInput& input = inputs[sheet];
         Material material = input.material;
@@ -209,7 +209,7 @@ class SupportBuilder {
     SimulationOptions& options;
     Holds holds;
     std::size_t sheet = 0;
-    Index first = 0, first_face = 0;  ///< of the sheet in the mechanics
+    Index first = 0, first_face = 0;  ///< first vertex and face of the sheet in the mechanics
 };
 
 }  // namespace

@@ -11,14 +11,14 @@
 namespace sherd {
 
 /// Returns the numbers of the vertices that the sheet's pins and clamps hold in all directions, in ascending
-/// order. Throws Error on one that holds none.
+/// order. Throws Error on a pin or clamp that holds no vertex.
 std::vector<std::int32_t> pinned_vertices(const SheetSpec& sheet, const Mesh& placed);
 
-/// Returns how many vertices pins hold that no pin or clamp holds in all directions.
+/// Returns the number of vertices that pins hold in some directions, but no pin or clamp in all.
 std::size_t partly_pinned_vertices(const SheetSpec& sheet, const Mesh& placed);
 
-/// Returns what moves of the vertices that pins and clamps of a sheet hold. Throws Error, naming the scene's
-/// line and key, where a vertex of one that moves is held by another one, too.
+/// Returns the moving pins and clamps of a sheet. Throws Error, naming the scene's line and key, if a vertex
+/// is held by two supports of which one moves.
 std::vector<MovingPin> moving_pins(const SheetSpec& sheet, const Mesh& placed);
 
 /// A pin, clamp or symmetry plane of a sheet, or an obstacle.
@@ -27,14 +27,14 @@ struct SupportName {
     std::string kind;  ///< "pin", "clamp", "symmetry" or "obstacle"
 };
 
-/// Returns what has a reaction, in the order of StepReport::reactions: of each sheet the pins, the clamps and
-/// the symmetry planes, and then the obstacles.
+/// Returns the names of all supports and obstacles, in the order of StepReport::reactions: pins, clamps and
+/// symmetry planes of each sheet, then the obstacles.
 std::vector<SupportName> support_names(const Scene& scene);
 
-/// Adds what holds which vertices, and what clamps and symmetry planes need beyond the pinned vertices of the
-/// inputs. Of several supports of one vertex the first takes the forces in all directions that it holds, the
-/// next those in the directions that are left, in the order of support_names(). `mechanics` is that of all
-/// inputs. Throws Error, naming the scene's line and key, on a clamp or a plane that holds no tangent.
+/// Adds the held vertices with their supports, and mirror hinges for clamps and symmetry planes. Of several
+/// supports of one vertex the first takes the forces in all directions that it holds, the next those in the
+/// remaining directions, in the order of support_names(). `mechanics` has all inputs. Throws Error, naming
+/// the scene's line and key, on a clamp or a plane that holds no tangent.
 void add_supports(const Scene& scene, const std::vector<SheetInput>& inputs, const Shell& mechanics,
                   SimulationOptions& options);
 

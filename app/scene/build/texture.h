@@ -5,8 +5,8 @@
 
 namespace sherd {
 
-/// Returns the texture coordinates of the faces' corners. Throws Error when the mesh has none, or some are
-/// not finite.
+/// Returns the texture coordinates of the faces' corners. Throws Error if the mesh has none, or some are not
+/// finite.
 Mesh::Property_map<Face, FaceTexture> texture_coordinates(const Mesh& mesh);
 
 }  // namespace sherd

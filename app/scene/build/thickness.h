@@ -8,18 +8,18 @@
 
 namespace sherd {
 
-/// Gives a sheet, whose mesh is placed, the thickness of its map, if it has one, and its material the mean.
-/// Throws Error naming the scene's line and key, and where the sheet is not thicker than nothing; warnings
-/// are sentences.
+/// Sets the thickness of a sheet from its map, if it has one, and that of its material to the mean. input:
+/// with the placed mesh. Throws Error naming the scene's line and key, also where the thickness is not
+/// positive; warnings are sentences.
 void set_thickness(const SheetSpec& sheet, SheetInput& input, std::vector<std::string>& warnings);
 
-/// "0.003", or "0.002 to 0.006", to be followed by its unit.
+/// The thickness in words without its unit: "0.003", or "0.002 to 0.006".
 std::string thickness_words(const SheetInput& input);
 
-/// The material where the sheet is thickest.
+/// The sheet's material with its largest thickness.
 Material thickest_material(const SheetInput& input);
 
-/// The thinnest and the thickest of some sheets, m.
+/// The smallest and the largest thickness of some sheets, m.
 struct ThicknessRange {
     double thinnest, thickest;
 };

@@ -17,7 +17,7 @@ constexpr int waves = 64;  // enough for sums that are nearly Gaussian
 
 std::vector<GustWave> gust_waves(const GustSpec& gust, const Vector3d& wind, std::int64_t seed) {
     Random random(static_cast<unsigned>(seed));
-    // Half to twice as long or slow as a typical gust.
+    // Random factor of 1/2 to 2 on the length or time of a typical gust.
     const auto octaves = [&random] { return std::exp2(2 * random.uniform() - 1); };
     std::vector<GustWave> result;
     for (int i = 0; i < waves; ++i) {

@@ -9,14 +9,14 @@
 
 namespace sherd {
 
-/// Whether a sheet keeps what it is bent beyond yield: coupled hinges do in steps that are solved to their
-/// end, of sheets whose cracks make no new faces.
+/// Whether bending beyond yield is plastic. This takes a yield stress, coupled hinges, a scheme whose elastic
+/// forces act at the end of a step, and no toughness, whose cracks insert faces.
 bool keeps_bends(const Scene& scene, const SheetSpec& sheet);
 
-/// ShellEnergyOptions::yields.
+/// Returns ShellEnergyOptions::yields of a scene.
 std::vector<double> kept_yields(const Scene& scene);
 
-/// "1.8 times the yield stress, in sheet.lid at (0.1, 0.02, 0) m at rest".
+/// Returns, for example, "1.8 times the yield stress, in sheet.lid at (0.1, 0.02, 0) m at rest".
 std::string yield_words(double ratio, const FacePlace& place, const Scene& scene);
 
 }  // namespace sherd

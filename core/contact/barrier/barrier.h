@@ -8,12 +8,12 @@
 
 namespace sherd {
 
-/// A second spring, which acts beside the first one from where a share of its range is left.
+/// Second, stiffer spring that acts in addition to the first one where the gap is below a share of the range.
 struct Firmness {
-    std::uint8_t degree = 0;    ///< 0: there is none
-    std::uint8_t halvings = 1;  ///< the share: 1/2, 1/4, 1/8 ...
+    std::uint8_t degree = 0;    ///< 0: no second spring
+    std::uint8_t halvings = 1;  ///< exponent of the share: 1/2, 1/4, 1/8 ...
 
-    /// As a multiple of the first spring's.
+    /// Stiffness over that of the first spring.
     double stiffness() const { return degree == 0 ? 0 : std::pow(64, degree); }
     double share() const { return std::ldexp(1, -halvings); }
 };
@@ -21,8 +21,8 @@ struct Firmness {
 /// The barrier potential of a gap between two elements: it is infinite at zero, zero from `range` on, and
 /// twice continuously differentiable (the clamped logarithm of incremental potential contact, Li et al. 2020,
 /// eq. 6). It is scaled so that at a gap of half the range its force is that of a spring of stiffness 1 N/m
-/// compressed by half the range. As a spring it is that spring instead, for explicit steps, which follow no
-/// force that rises without bound.
+/// compressed by half the range. With `spring` it is that spring instead, for explicit steps, which need a
+/// bounded stiffness.
 struct Barrier {
     double range;  ///< m
     bool spring = false;
@@ -49,7 +49,7 @@ struct Barrier {
     }
 
   private:
-    /// m, by how much the second spring is pressed.
+    /// Compression of the second spring, m.
     double firm(double gap) const {
         return firmness.degree == 0 ? 0 : std::max(0.0, firmness.share() * range - gap);
     }

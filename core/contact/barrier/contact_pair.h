@@ -31,7 +31,7 @@ void sort(std::vector<ContactPair>& pairs);
 
 /// Distance of the two elements, m.
 double distance(const ContactPair& pair, const PairPositions& x);
-/// Whether it is less than `limit`, m.
+/// Whether the distance of the two elements is less than `limit`, m.
 bool within(double limit, const ContactPair& pair, const PairPositions& x);
 
 /// Energy, J: stiffness times mollifier times the barrier of the gap, which is the distance less the minimum.

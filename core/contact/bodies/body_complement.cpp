@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The Schur complement of body_contact.h, and which vertices it joins.
+// The Schur complement of body_contact.h, and the vertices that it couples.
 #include <Eigen/LU>
 #include <algorithm>
 #include <map>

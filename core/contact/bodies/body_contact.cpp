@@ -6,8 +6,8 @@
 namespace sherd {
 namespace {
 
-/// How many of its widths a body may be predicted to be beyond a sheet, and beyond another collider, which
-/// would let it out on the side that is nearest.
+/// Limits, in widths of a body, on how far its predicted pose may be beyond a sheet, and beyond another
+/// collider, which would push it out on the nearest side.
 constexpr double most_widths = 8, most_widths_in_collider = 0.25;
 
 }  // namespace

@@ -21,8 +21,8 @@ namespace sherd {
 ///
 /// Springs act between two bodies, and between a body and an obstacle, at the body's contact points: the
 /// centre of a ball with its radius, the corners of a box or of a mesh. A contact is found when such a point
-/// is in the other collider's shape. What they leave out, edges above all, SurfacePairs find, and nothing
-/// passes these.
+/// is in the other collider's shape. Contacts without such a point, above all those of edges, are found by
+/// SurfacePairs, whose barriers nothing passes.
 class BodyContact : public Energy {
   public:
     /// bodies: their state at the start of the run. Shell and obstacles must outlive this object. gravity:
@@ -32,16 +32,17 @@ class BodyContact : public Energy {
     void begin(const StepContext& step) override;
     void topology_changed(const ShellChange& change, const StepContext& step) override;
     void moved_to(const Positions& x) override;
-    /// Whether the step is too long for the bodies to begin it: without contact, one would be some of its own
-    /// widths beyond what it meets, or an obstacle moves into one that cannot get out of its way. Poses that
-    /// are the best in such a step are not what a blow leads to, and are hard to find.
+    /// Whether the step is too long for the bodies: without contact, a body would end too many of its own
+    /// widths beyond what it hits, or an obstacle moves into a body that cannot get out of its way. The
+    /// optimal poses of such a step are not what the impact leads to, and are hard to find.
     bool blocked() const { return is_blocked; }
-    /// Lets the bodies make the step that ends with the shell at x [3, V] m, which is not finished yet.
+    /// Moves the bodies to the end of the step, with the shell at x [3, V] m; the step stays open.
     void end_at(const Positions& x);
-    /// Whether the poses for the shell at x are the best. Else the step is too long for the bodies.
+    /// Whether the optimal poses have been found for the shell at x. If not, the step is too long for the
+    /// bodies.
     bool arrive(const Positions& x) const;
-    /// Whether a body passes through the shell, which gets straight to x, or through another body or an
-    /// obstacle, in the step, when all of them move by their screws.
+    /// Whether a body passes through the shell, which moves straight to x, or through another body or an
+    /// obstacle, in the step. Bodies move along their screws, obstacles by their motion.
     bool passes(const StepContext& step, const Positions& x) const;
     /// Ends the step with the shell at x.
     void finish(const Positions& x);
@@ -58,20 +59,20 @@ class BodyContact : public Energy {
     double safe_fraction(const Positions& x, const Positions& motion) const override;
 
     double stored_energy(const Positions& x) const;          ///< elastic energy of the contacts, J
-    double stored_at_start() const { return start_stored; }  ///< the same at the beginning of the step
-    /// What friction takes in the step that ends at x, J.
+    double stored_at_start() const { return start_stored; }  ///< J, at the beginning of the step
+    /// Energy dissipated by friction in the step that ends at x, J.
     double friction_loss(const Positions& x) const;
-    /// Work of the forces of contact and of all forces, weight included, on the bodies in the step that they
-    /// made last, J.
+    /// Work, J, of contact forces on the bodies in their last step (end_at()); work_of_all(): of all forces,
+    /// weight included.
     double contact_work() const;
     double work_of_all() const;
     double kinetic_change() const;  ///< J, in that step
     void add_touch(const Positions& x, Touch& touch) const;
-    /// Work, J, in the step, of the obstacles that deform on bodies, when the shell is at x.
+    /// Work, J, of deforming obstacles on bodies in the step, with the shell at x.
     double work_of_deforming(const Positions& x) const;
     /// Adds the obstacles' forces on bodies, when the shell is at x, to the reactions.
     void add_reactions(const Positions& x, std::span<Reaction> of_obstacles) const;
-    /// The rest is made by begin() and topology_changed().
+    /// Visits the state that begin() and topology_changed() do not compute.
     void visit_state(StateVisitor& visit) override {
         auto& [shell, obstacles, gravity, started, finished, ended, pairs, surfaces, steps, obstacle_starts,
                obstacle_places, points, sliding, held_by_shell, held_by_points, start_stored, is_blocked,
@@ -92,24 +93,24 @@ class BodyContact : public Energy {
     struct SlidingContact {
         std::size_t number;  ///< in `points`
         std::size_t body, other;
-        Vector3d point;        ///< m, where it touched, in the body's frame
-        SlidingPoint sliding;  ///< its anchor is in the frame of the other collider
+        Vector3d point;        ///< m, point of contact in the body's frame
+        SlidingPoint sliding;  ///< anchor in the frame of the other collider
     };
 
-    /// Makes the bodies' potentials for the step from their poses at its beginning.
     ContactSurface with_surface(std::size_t body) const;
+    /// Makes the bodies' potentials and the contacts of the step from the poses at its beginning.
     void make_steps(const StepContext& step);
     void place_obstacles(double time);
     void find_sliding(const StepContext& step);
-    /// Whether no body gets to q more than so many of its widths beyond a sheet, or another collider, that it
-    /// meets on the straight way.
+    /// Whether no body, on the straight way to q, gets more than `widths` of its widths beyond a sheet, or
+    /// `widths_in_collider` of them beyond another collider, that it hits.
     bool have_straight_ways(const Positions& x, const VectorXd& q, double widths,
                             double widths_in_collider) const;
-    /// Lets the bodies go along with what moves into them, in `base`.
+    /// Moves bodies along with colliders that move into them, in `base`.
     void go_along();
     bool is_free(std::size_t collider) const { return collider < steps.size(); }
     const Collider& collider(std::size_t number) const;
-    /// Where a collider is at the beginning of the step.
+    /// Pose of a collider at the beginning of the step.
     Eigen::Isometry3d start_of(std::size_t number) const {
         return is_free(number) ? started[number].pose() : obstacle_starts[number - steps.size()];
     }
@@ -131,12 +132,12 @@ class BodyContact : public Energy {
     template <class Add>
     void each_point_force(const VectorXd& q, Add add) const;
     void add_point_contacts(const VectorXd& q, Potential& sum) const;
-    /// None before the first step, when nothing has its place yet.
+    /// Surface pairs; none before the first step, when colliders have no poses yet.
     std::span<const std::unique_ptr<SurfacePairs>> surfaces_of_step() const {
         return std::span(surfaces).first(steps.empty() ? 0 : surfaces.size());
     }
     /// Calls add(pairs, vertices, at, moved, gradient, hessian, value, elastic) for each pair of surfaces;
-    /// at: m, [3, 4], in space; moved: m, [3, 4], in the step, zero where it is elastic.
+    /// at: m, [3, 4], in space; moved: m, [3, 4], displacements in the step, zero for elastic forces.
     template <class Add>
     void each_surface_force(const std::vector<BodyPose>& at_q, Add add) const;
     void add_surface_pairs(const VectorXd& q, Potential& sum) const;
@@ -146,7 +147,7 @@ class BodyContact : public Energy {
                      const PointForce& force, const Vector3d& x, const Vector3d& anchor,
                      Potential& sum) const;
     /// For each body, the smallest number of a body that it is connected to by contacts, directly or through
-    /// others. `ahead` also counts contacts that may occur soon.
+    /// others. `ahead` also counts bodies that are near contact.
     std::vector<std::size_t> groups(const VectorXd& q, bool ahead) const;
     double free_way(const Positions& x, const VectorXd& from, const VectorXd& to) const;
     bool passes(const StepContext& step, const SurfacePairs& pair) const;  ///< when bodies get to `best`
@@ -161,17 +162,18 @@ class BodyContact : public Energy {
     const Shell& shell;
     const std::vector<Obstacle>& obstacles;
     Vector3d gravity;
-    /// States at the beginning of the step, at the end of the last one, and at that of the open one.
+    /// States at the beginning of the step, at the end of the last finished step, and at the end of the open
+    /// one.
     std::vector<RigidBody> started, finished, ended;
-    std::vector<std::unique_ptr<NearPairs>> pairs;  ///< with the surface of each body; null if it has none
+    std::vector<std::unique_ptr<NearPairs>> pairs;  ///< shell and each body's surface; null without one
     std::vector<std::unique_ptr<SurfacePairs>> surfaces;
     std::vector<BodyStep> steps;
     std::vector<Eigen::Isometry3d> obstacle_starts,
         obstacle_places;  ///< at the beginning and end of the step
     std::vector<PointContact> points;
     std::vector<SlidingContact> sliding;
-    /// What contacts hold since the last step that was finished: of each body with the shell, and by number
-    /// of a contact point.
+    /// Elastic slip at the end of the last finished step: of each body's contacts with the shell, and by
+    /// number of a contact point.
     std::vector<BodySticks> held_by_shell;
     StickMemory<std::size_t> held_by_points;
     double start_stored = 0;  ///< J
@@ -179,7 +181,7 @@ class BodyContact : public Energy {
     /// [6 B], empty before the first step: motions to poses free of overlap with the shell, where solve()
     /// starts.
     VectorXd base;
-    // These are caches: no answer depends on them.
+    // Caches: no result depends on them.
     mutable Positions last;
     mutable VectorXd best;
     mutable Potential at_best;

@@ -39,9 +39,9 @@ struct BodyPotential {
     double value = 0;   ///< J
     double stored = 0;  ///< J, elastic energy of the contacts, contained in value
     Vector6d gradient = Vector6d::Zero();
-    Matrix6d hessian = Matrix6d::Zero();        ///< Gauss-Newton: without the second derivatives of rotations
-    double turning = 0;                         ///< N m, no second derivative of a rotation gives more
-    std::map<Index, VertexTerms> vertex_terms;  ///< by vertex number
+    Matrix6d hessian = Matrix6d::Zero();  ///< Gauss-Newton: without the second derivatives of rotations
+    double turning = 0;  ///< N m, bound on what second derivatives of rotations add to the Hessian
+    std::map<Index, VertexTerms> vertex_terms;           ///< by vertex number
     std::map<std::array<Index, 2>, Matrix3d> couplings;  ///< by two vertices, the greater number first, N/m
 
     /// Adds a force between a vertex and the body's point at `arm`. gradient, hessian: by the vertex's

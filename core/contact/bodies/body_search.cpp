@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The search for the best poses of body_contact.h, on ways that are free.
+// The search for the optimal poses of body_contact.h, along collision-free motions.
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
@@ -11,12 +11,14 @@ namespace {
 
 constexpr int most_iterations = 100, most_halvings = 40, most_hidden_halvings = 2;
 constexpr double round_off_of_value = 1e-12;
-/// rad; a correction that turns a body farther knows nothing of what forces do to it on the way, as they turn
-/// round what they push.
+/// rad; if a correction turns a body farther, a bound on the second derivatives of rotations is added to the
+/// Gauss-Newton Hessian, which leaves them out.
 constexpr double large_turn = 0.1;
-/// Share of the potential that another step of Newton's method may still take from where poses are the best.
+/// Share of the potential by which another step of Newton's method may still lower it where poses count as
+/// optimal.
 constexpr double still_to_gain = 1e-9;
-/// Of a body's size, and rad: of a body that weighs next to nothing the potential is all round-off.
+/// Corrections that count as zero, in sizes of a body and rad: the potential of a body of almost no mass is
+/// all round-off.
 constexpr double small_way = 1e-6;
 
 }  // namespace
@@ -44,7 +46,7 @@ void BodyContact::go_along() {
         return moves(pair.body,
                      Eigen::Translation3d(pair.pushed_along(start_of(pair), stays)) * start[pair.body]);
     };
-    // What is pushed may push others, so many at most.
+    // A body that is pushed may push others, in chains of at most all bodies.
     bool any = true;
     for (std::size_t i = 0; any && i <= steps.size(); ++i) {
         any = false;
@@ -168,7 +170,7 @@ bool BodyContact::passes(const StepContext& step, const SurfacePairs& pair) cons
         return is_free(one) ? steps[one].pose(share * part(best, one)).place
                             : obstacles[one - steps.size()].motion.at(step.begin + share * step.length);
     };
-    // A surface that deforms is known at both ends only.
+    // The shape of a deforming surface is available at both ends only.
     const int parts = pair.other_deforms() ? 1 : straight_parts(turn_of(pair.body) + turn_of(pair.other));
     PairPlaces before = start_of(pair);
     for (int part = 1; part <= parts; ++part) {

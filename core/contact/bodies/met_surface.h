@@ -9,26 +9,26 @@
 
 namespace sherd {
 
-/// The surface of a collider that a body meets, in the collider's frame. That of one that deforms has two
-/// shapes, where a step or a substep begins and where it ends.
+/// The surface of a collider with which a body collides, in the collider's frame. A deforming surface has two
+/// shapes, at the beginning and at the end of a step or a substep.
 class MetSurface {
   public:
     explicit MetSurface(const Collider& collider);
-    /// Of an obstacle, which may deform.
+    /// Surface of an obstacle, which may deform.
     explicit MetSurface(const Obstacle& obstacle);
 
     const ColliderSurface& surface() const { return *of; }
     bool deforms() const { return deformation != nullptr; }
-    /// m, [3, P]; at_start: where the step begins.
+    /// Positions of the points, [3, P] m, at the beginning or at the end of the step.
     const Positions& points(bool at_start) const { return !deforms() ? of->points : at_start ? before : now; }
-    /// Where all points of both shapes are.
+    /// Bounding box of both shapes.
     const Box& bounds() const { return around; }
-    /// The step goes on from where it was to `time` (s).
+    /// Makes the end of the last step the beginning of the next one, which ends at `time` (s).
     void move_to(double time);
-    /// m, [3, P], from its shape at the end of the step to that of `time` (s); without columns if it is
-    /// rigid.
+    /// Displacements of the points, [3, P] m, from the end of the step to `time` (s); no columns if the
+    /// surface is rigid.
     Positions way_to(double time) const;
-    /// m, that no point moves farther than in the step.
+    /// Largest displacement of a point in the step, m.
     double longest_way() const;
 
     void visit_state(StateVisitor& visit) {

@@ -14,12 +14,12 @@ struct PointContact {
     Vector3d point;  ///< m, contact point in the body's frame
 };
 
-/// A ball has its centre alone.
+/// Whether the body is a ball, whose centre is its only contact point.
 inline bool is_ball(const RigidBody& body) {
     return body.contact_points.size() == 1;
 }
 
-/// All that may occur, each once.
+/// Returns all contacts that may occur, each once.
 std::vector<PointContact> point_contacts(const std::vector<RigidBody>& bodies, std::size_t obstacles);
 
 }  // namespace sherd

@@ -11,24 +11,25 @@
 namespace sherd {
 namespace {
 
-/// How far inside a body the surface is that makes pairs: of its smallest extent, and of a ball's radius.
+/// Inset of the surface that forms pairs, as a share of the body's smallest extent, and of a ball's radius.
 constexpr double inset_of_extent = 0.01, inset_of_radius = 0.5;
-/// Of the inset, where pairs become active: a ball's are far from where its surface touches.
+/// Activation distance of pairs, as a share of the inset. Pairs of a ball act far inside its surface.
 constexpr double range_of_inset = 1, range_of_ball = 0.25;
-constexpr double largest_inset = 3;  // times the inset, of the point of a needle
-/// Of the range of pairs, by which surfaces that come to see each other may press: what is stored in them
-/// then comes from nowhere.
+constexpr double largest_inset = 3;  // times the inset, at the tip of a needle
+/// Share of the range by which pairs may be compressed when an exemption ends: nothing has supplied their
+/// energy.
 constexpr double still_apart = 1e-3;
-/// The same where another time scheme had them see each other: a barrier that is pressed by less stores less
-/// than a spring that is pressed as far; springs give way by all of it.
+/// The corresponding shares, of barriers and of springs, after another time scheme in which pairs acted. A
+/// barrier that is compressed by less stores less energy than a spring that is compressed as far; springs may
+/// be compressed by all of the range.
 constexpr double barrier_takes_over = 2.0 / 3, springs_take_over = 1;
-/// Pairs are forgotten when the ball around a body, so many times larger, has left the other one.
+/// Pairs are discarded when the ball around a body, enlarged by this factor, is clear of the other collider.
 constexpr double times_of_kept = 3;
-/// A sheet meets a collider's surface at a quarter of its thickness (ContactSurface).
+/// Thickness of a sheet over the activation distance of its pairs with a collider (ContactSurface).
 constexpr double thickness_of_range = 4;
 
-/// The displacements of points that move all triangles inward by one: exactly where three planes or fewer
-/// meet, else as nearly as may be.
+/// Displacements of points that move all triangles inward by a unit length: exactly where three planes or
+/// fewer meet, else in the sense of least squares.
 Positions inward(const ColliderSurface& surface) {
     std::vector<Matrix3d> squares(surface.size(), Matrix3d::Zero());
     Positions sums = Positions::Zero(3, surface.size());
@@ -82,7 +83,7 @@ std::shared_ptr<const Shell> core_with_facets(const RigidBody& body) {
     return core_of(body, inset, range_of_inset * inset);
 }
 
-/// The same, but of a ball that its centre makes round.
+/// The surface of a body, moved inward; that of a ball by half its radius, since its centre makes it round.
 std::shared_ptr<const Shell> core_of(const RigidBody& body) {
     if (!is_ball(body)) return core_with_facets(body);
     const double inset = inset_of_radius * body.contact_radius;
@@ -250,7 +251,8 @@ void SurfacePairs::place(const PairPlaces& places) {
 
 bool SurfacePairs::passes(const PairPlaces& places) {
     if (!may_meet(before, places)) return false;
-    // What has nothing within reach where it comes from must move by the whole range to get through.
+    // Surfaces without an active pair at the end of a motion shorter than the range have not passed through
+    // each other.
     const Eigen::Isometry3d from = before.there.inverse() * before.here,
                             to = places.there.inverse() * places.here;
     const double turn = Eigen::AngleAxisd(from.linear().transpose() * to.linear()).angle();

@@ -9,12 +9,12 @@
 
 namespace sherd {
 
-/// Anything rigid that sheets meet: an obstacle, whose motion is given, or a rigid body, which moves freely.
-/// Its pose is kept elsewhere.
+/// An obstacle, whose motion is prescribed, or a rigid body, which moves freely. Its pose is stored
+/// elsewhere.
 struct Collider {
     std::shared_ptr<const Shape> shape;
-    /// The surface of the shape, in its frame. Without it only vertices of sheets meet the collider, which is
-    /// enough for a plane.
+    /// Surface of the shape, in its frame. Without it only vertices of sheets collide with the collider,
+    /// which is enough for a plane.
     std::shared_ptr<const ColliderSurface> surface = nullptr;
     double young = 3e10;  ///< Pa, of its material
     double friction = 0;  ///< Coulomb coefficient

@@ -6,7 +6,7 @@
 namespace sherd {
 namespace {
 
-/// Of a surface without inside, those that touch it.
+/// Pinned vertices that touch an obstacle whose surface has no inside.
 std::vector<Index> held_at(const Shell& shell, const Obstacle& obstacle) {
     VectorXd reach = VectorXd::Constant(shell.position.cols(), -1);
     for (Index v = 0; v < static_cast<Index>(shell.fixed.size()); ++v)

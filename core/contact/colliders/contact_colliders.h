@@ -6,14 +6,14 @@
 
 namespace sherd {
 
-/// The obstacles that have a surface, as they stand at time 0. Pinned vertices that touch an obstacle at that
-/// time, or are inside it, do not collide with it: it may be what holds them.
+/// Returns the obstacles that have a surface. Pinned vertices that touch an obstacle at time 0, or are inside
+/// it, do not collide with it, since it may be their support.
 std::vector<ContactCollider> contact_colliders(const Shell& shell, const std::vector<Obstacle>& obstacles);
 
-/// The number of the first vertex of each obstacle among those of all, as collider_positions() has them.
+/// Returns the number of the first vertex of each obstacle in collider_positions().
 std::vector<Index> first_vertices(const std::vector<Obstacle>& obstacles);
 
-/// Positions at `time` (s) of the vertices of the same obstacles, in their order: [3, S] m.
+/// Positions at `time` (s) of the surface vertices of all obstacles, in the obstacles' order: [3, S] m.
 Positions collider_positions(const std::vector<Obstacle>& obstacles, double time);
 
 }  // namespace sherd

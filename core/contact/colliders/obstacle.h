@@ -10,13 +10,13 @@ namespace sherd {
 /// A collider that stands still or has a scripted motion; sheets and bodies cannot push it away.
 struct Obstacle : Collider {
     Motion motion;
-    /// Of one that deforms, the points of its surface in its frame, which moves, too. Null: it is rigid.
+    /// Motion of the surface's points in the obstacle's frame, which moves, too; null: the obstacle is rigid.
     std::shared_ptr<const Deformation> deformation = nullptr;
 
     bool moves() const {
         return !motion.keys.empty() || (deformation != nullptr && deformation->times.size() > 1);
     }
-    /// Where the points of its surface are at `time` (s): [3, P] m.
+    /// Positions of the surface's points at `time` (s): [3, P] m.
     Positions points_at(double time) const {
         if (deformation != nullptr) return motion.at(time) * deformation->at(time);
         return motion.at(time) * surface->points;

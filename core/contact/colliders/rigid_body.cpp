@@ -46,7 +46,8 @@ RigidBody rigid_solid(double volume, const Vector3d& inertia, const Positions& p
     body.mass = volume * density;
     body.inertia = inertia * density;
     for (const auto& point : points.colwise()) body.contact_points.push_back(point);
-    // Of a fine mesh many lie on a floor: together they are as stiff as the corners of a box there.
+    // A sixth of a fine mesh's points may lie on a floor: together they are as stiff as the four corners of a
+    // box.
     const double count = std::max<double>(1, static_cast<double>(points.cols()));
     body.contact_length = std::cbrt(volume) * std::min(0.25, 6 / count);
     return body;

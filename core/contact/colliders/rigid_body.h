@@ -13,8 +13,8 @@ namespace sherd {
 struct RigidBody : Collider {
     double mass = 1;                      ///< kg
     Vector3d inertia = Vector3d::Ones();  ///< kg m^2, about the principal axes
-    /// The points at which it meets other colliders, in its frame, with the contact radius around them (m)
-    /// and their stiffness per contact modulus (m).
+    /// Points, m, at which the body touches other colliders, in its frame, with their contact radius, m, and
+    /// their stiffness over the contact modulus, m.
     std::vector<Vector3d> contact_points;
     double contact_radius = 0, contact_length = 0;
 
@@ -23,7 +23,7 @@ struct RigidBody : Collider {
     Vector3d velocity = Vector3d::Zero();          ///< m/s
     Vector3d angular_momentum = Vector3d::Zero();  ///< kg m^2/s, about the centre of mass
 
-    /// Where it is and how it moves; all else is given.
+    /// Visits the pose, the velocity and the angular momentum; all else is given at the start.
     void visit_state(StateVisitor& visit) {
         static_assert(
             has_only<RigidBody, Collider, decltype(mass), decltype(inertia), decltype(contact_points),
@@ -38,8 +38,8 @@ struct RigidBody : Collider {
         pose.translation() = centre;
         return pose;
     }
-    /// How many of its contact points may push at once, on the safe side: of a box one on either side of its
-    /// centre.
+    /// Number of contact points that push at once, on the safe side for frequencies: two for a box, one on
+    /// either side of its centre.
     double points_at_once() const {
         return contact_points.size() <= 8 ? 2 : static_cast<double>(contact_points.size());
     }
@@ -59,9 +59,10 @@ struct RigidBody : Collider {
 /// The body of a homogeneous sphere or box, as stiff as steel, at rest. density: kg/m^3; radius, size: m.
 RigidBody rigid_sphere(double radius, double density);
 RigidBody rigid_box(const Vector3d& size, double density);
-/// The same of any solid, without a shape and a surface, which the caller gives it. volume: m^3; inertia:
-/// m^5, about the principal axes, for each unit of density; points: [3, P] m, of its surface, in its frame.
-/// They are its contact points, and together as stiff as six boxes' corners of this volume.
+/// A body of any homogeneous solid, as stiff as steel, at rest; the caller sets its shape and surface.
+/// volume: m^3; inertia: m^5, about the principal axes, for each unit of density; points: [3, P] m, of its
+/// surface, in its frame, which become its contact points. Each is as stiff as a corner of a box of this
+/// volume, or softer if there are more than 24, so that together they are as stiff as 24 such corners.
 RigidBody rigid_solid(double volume, const Vector3d& inertia, const Positions& points, double density);
 
 }  // namespace sherd

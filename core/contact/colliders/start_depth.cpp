@@ -9,7 +9,7 @@
 namespace sherd {
 namespace {
 
-/// m, of each vertex: the longest edge of its triangles.
+/// Longest edge, m, of each vertex's triangles.
 VectorXd longest_edges(const Shell& shell) {
     VectorXd longest = VectorXd::Zero(shell.position.cols());
     for (const TriangleStencil& triangle : shell.triangles)
@@ -22,7 +22,7 @@ VectorXd longest_edges(const Shell& shell) {
     return longest;
 }
 
-/// Depth, m, of a vertex in a shape at a pose, beyond touching, of a sheet that is thicker by twice `margin`.
+/// Overlap, m, of a vertex with a collider at a pose, for a sheet that is thicker by twice `margin`.
 double depth(const Shell& shell, const Collider& collider, const Eigen::Isometry3d& pose, Index vertex,
              double margin = 0) {
     return overlap(*collider.shape, pose, shell.position.col(vertex), 0.5 * shell.thickness[vertex] + margin)
@@ -43,7 +43,7 @@ bool shrink(Shell& shell, StartDepth& start, const Collider& collider, const Eig
     return any;
 }
 
-/// The same beside a surface without inside, which nothing starts deep in.
+/// Updates the exempt elements beside a surface without inside, which has no exempt depths.
 bool shrink(Shell& shell, StartDepth& start, const Obstacle& obstacle, double time) {
     VectorXd reach = longest_edges(shell) + 0.5 * shell.thickness;
     for (Index v = 0; v < static_cast<Index>(start.unseen.size()); ++v)

@@ -8,10 +8,10 @@
 
 namespace sherd {
 
-/// Which vertices, obstacles and bodies are in contact.
+/// Vertices, obstacles and bodies in contact.
 struct Touch {
-    std::set<Index> vertices;                 ///< vertices of sheets in contact, or of their elements
-    double deepest = 0;                       ///< m, the largest overlap of a vertex
+    std::set<Index> vertices;  ///< vertices of sheets that touch a collider, or whose elements do
+    double deepest = 0;        ///< m, the largest overlap of a vertex
     std::set<std::size_t> obstacles, bodies;  ///< numbers of those that a sheet or a body touches
 
     void include(Index vertex, double depth) {
@@ -25,7 +25,8 @@ struct Touch {
         obstacles.insert(other.obstacles.begin(), other.obstacles.end());
         bodies.insert(other.bodies.begin(), other.bodies.end());
     }
-    /// Includes what touches an obstacle: `own`, by its shape; by_surface: whether elements meet its surface.
+    /// Includes the contacts of an obstacle: `own` with its shape; by_surface: whether elements touch its
+    /// surface.
     void include_obstacle(std::size_t number, const Touch& own, bool by_surface) {
         if (!own.vertices.empty() || by_surface) obstacles.insert(number);
         include(own);

@@ -7,7 +7,7 @@
 namespace sherd {
 namespace {
 
-/// How much looser a division may become before boxes are divided anew.
+/// Factor by which a division may become looser before the boxes are divided again.
 constexpr double loosest = 1.3;
 
 double total_size(const std::vector<Box>& boxes) {

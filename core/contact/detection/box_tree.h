@@ -39,21 +39,21 @@ std::vector<Box> element_boxes(const std::vector<Box>& of_vertices,
 /// their longest extent, traversed against another tree or itself.
 class BoxTree {
   public:
-    /// How a tree divides its boxes, for the tree of the same boxes when they have moved.
+    /// Division of a tree's boxes, to be reused when the same boxes have moved.
     struct Division {
-        std::vector<Index> element;  ///< their numbers, in the tree's order
-        double looseness = 0;        ///< when they were divided, see looseness()
+        std::vector<Index> element;  ///< numbers of the boxes, in the tree's order
+        double looseness = 0;        ///< looseness() when the boxes were divided
     };
 
     explicit BoxTree(const std::vector<Box>& boxes);
-    /// The tree with a known division, or with a new one, which is then known, where there is none of as many
-    /// boxes or where it has become loose. To divide is the most of making a tree, and which pairs overlap
-    /// does not depend on it.
+    /// Reuses a known division, or makes and stores a new one if the known one has another number of boxes or
+    /// has become loose. Dividing is most of the cost of a tree. The pairs that overlap do not depend on the
+    /// division.
     BoxTree(const std::vector<Box>& boxes, Division& known);
 
     /// The bounding box of all boxes.
     Box bounds() const { return around.empty() ? Box{} : around[0]; }
-    /// The numbers of the boxes, those beside each other in space close together.
+    /// The numbers of the boxes, with neighbours in space close together.
     const std::vector<Index>& order() const { return element; }
 
     /// Calls visit(i, j) once for every box i of this tree and every box j of the other that overlap, in an
@@ -84,9 +84,9 @@ class BoxTree {
     Node root() const { return {0, 0, static_cast<Index>(element.size())}; }
     /// Orders the numbers of the boxes by their places.
     void divide(const Node& node, const std::vector<Box>& boxes);
-    /// Surrounds the boxes of a node and all below it.
+    /// Finds the bounding boxes of a node and of all below it.
     void surround(const Node& node);
-    /// How much larger nodes are than their boxes: what is visited in vain grows with it.
+    /// Total size of the nodes over that of the boxes: the number of useless visits grows with it.
     double looseness() const;
 
     template <class Visit>
@@ -117,7 +117,7 @@ class BoxTree {
     }
 
     std::vector<Box> around;     ///< bounding box of each node
-    std::vector<Box> box;        ///< of each element, in the tree's order
+    std::vector<Box> box;        ///< box of each element, in the tree's order
     std::vector<Index> element;  ///< numbers of the elements, in the tree's order
 };
 

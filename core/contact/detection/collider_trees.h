@@ -16,8 +16,7 @@ class ColliderTrees {
         BoxTree points, edges, triangles;
     };
     /// The trees around the paths of a collider's vertices on the motion of `within`, without any margin;
-    /// null where the box around all paths does not meet `reach`. Trees are valid until this collider is
-    /// asked for again.
+    /// null where the box around all paths does not meet `reach`. Trees are valid until the next call.
     const Trees* within_reach(const Box& reach, std::size_t collider, const ContactSurface& surface,
                               const Neighbourhood& within);
 
@@ -26,7 +25,7 @@ class ColliderTrees {
         BoxTree::Division points, edges, triangles;
     };
     struct Kept {
-        Positions from, to;  ///< m, of its vertices at the beginning and the end of the motion
+        Positions from, to;  ///< m, of the collider's vertices at the beginning and the end of the motion
         Trees trees;
         Divisions divisions;
     };

@@ -8,7 +8,7 @@
 namespace sherd {
 namespace {
 
-/// How many elements whose boxes overlap are judged at once, by all threads.
+/// Number of pairs with overlapping boxes whose distances all threads compute at once.
 constexpr std::size_t at_once = 1 << 15;
 
 /// Bounding boxes of the places that each vertex of sheets can reach, enlarged by half of its elements'
@@ -30,8 +30,8 @@ struct Elements {
     BoxTree tree;
 };
 
-/// The elements for which `wanted` returns true, given their vertices and their box. If these are all, they
-/// are divided as they are known to be, where that is given.
+/// The elements for which `wanted` returns true, given their vertices and their box. If these are all, their
+/// tree reuses the division `known`, where that is given.
 template <std::size_t N, class Wanted>
 Elements<N> those(const std::vector<std::array<Index, N>>& elements, const std::vector<Box>& boxes,
                   const Wanted& wanted, BoxTree::Division* known = nullptr) {
@@ -71,7 +71,7 @@ Vector3d between_middles(PairKind kind, const PairPositions& x) {
 }
 
 /// Vertices that became or ceased to be corners of triangles, that have another place on the sheet, or whose
-/// twins, or those near since the start, changed.
+/// exemptions have changed.
 std::vector<char> changed_vertices(const ShellChange& change, const ContactSurface& before,
                                    const ContactSurface& after) {
     std::vector<char> changed(after.vertices(), 0);
@@ -97,7 +97,7 @@ std::vector<char> changed_vertices(const ShellChange& change, const ContactSurfa
     return changed;
 }
 
-/// Lets what vertices of a surface [3, vertices] have follow a change of the sheets.
+/// Applies a change of the sheets to an attribute of all vertices of a surface, [3, vertices].
 void follow_on_sheets(const ShellChange& change, Index collider_vertices, Positions& all) {
     Positions of_sheets = all.rightCols(all.cols() - collider_vertices);
     follow(of_sheets, change);

@@ -10,16 +10,17 @@
 
 namespace sherd {
 
-/// The pairs of a surface's elements that come near contact somewhere in a neighbourhood. Finding them is
-/// most of the cost of contact. Asking which of them are active is cheap: most have more room than they need.
+/// Candidate pairs: elements of a surface that come near contact somewhere in a neighbourhood. Finding them
+/// is most of the cost of contact. Finding the active ones among them is cheap, since most are farther apart
+/// than their vertices have moved.
 class ContactCandidates {
   public:
     /// Two elements are near when they are closer than this multiple of the activation distance.
     static constexpr double nearness = 1.15;
 
-    /// None. threads: who shares the search for pairs, and what is asked of them.
+    /// No pairs. threads: share the search for pairs and queries of them.
     explicit ContactCandidates(Threads threads = Threads()) : threads(std::move(threads)) {}
-    /// kept: from one call to the next, for the same surface.
+    /// kept: trees that are reused by the next call, for the same surface.
     ContactCandidates(const ContactSurface& surface, Neighbourhood neighbourhood, KeptTrees& kept,
                       Threads threads = Threads());
 
@@ -37,8 +38,8 @@ class ContactCandidates {
                                   const Keep& keep) const {
         return pairs.near(x, motion, as_near, reserve + within.round_off, threads, keep);
     }
-    /// Searches pairs again where triangles have other vertices or another place on the sheet, or where
-    /// vertices gained or lost twins or others that are near since the start.
+    /// Searches pairs again where triangles have other vertices or another place on the sheet, or where the
+    /// exemptions of vertices (twins, near_vertices(), is_unseen()) have changed.
     void follow(const ShellChange& change, const ContactSurface& before, const ContactSurface& after,
                 KeptTrees& kept);
 
@@ -55,14 +56,14 @@ class ContactCandidates {
         PairKind kind;
         std::array<Index, 4> vertices;
     };
-    /// Call take(met) for those of which one has a vertex that has changed.
+    /// Call take(met) for two elements whose boxes overlap and of which one has a vertex that has changed.
     template <class Take>
     void meet_on_sheets(const ContactSurface& surface, const std::vector<char>& changed, KeptTrees& kept,
                         const Take& take) const;
     template <class Take>
     void meet_on_colliders(const ContactSurface& surface, const std::vector<char>& changed,
                            ColliderTrees& colliders, const Take& take) const;
-    /// The pair that they are, if they come near contact.
+    /// The pair of two elements; none if they do not come near contact.
     std::optional<PairBlocks::Entry> pair_of(const ContactSurface& surface, const Met& met) const;
 
     Neighbourhood within;

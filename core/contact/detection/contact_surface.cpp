@@ -11,10 +11,10 @@
 namespace sherd {
 namespace {
 
-constexpr double share = 0.5;           // of a column, for each of the ways in which two sheets touch
+constexpr double share = 0.5;           // columns for each of the ways in which two sheets touch
 constexpr double share_of_rest = 0.75;  // activation distance of neighbours, over their distance at rest
-// A collider's surface is active from this share of half the thickness on. Above that only the springs of
-// vertices act, whose stiffness is that of the materials; a soft collider yields there, perhaps by much.
+// Activation distance of a collider's surface, over half the thickness. Above it only the springs of vertices
+// act, with the stiffness of the materials; a soft collider is compressed there, perhaps by much.
 constexpr double share_of_collider = 0.5;
 constexpr double closest_to_sheet = 0.75, closest_to_collider = 0.2;  // minimum over activation distance
 
@@ -51,7 +51,7 @@ double activation_distance_of_sheets(const Shell& shell, PairKind kind,
         return together;
     const PairPositions rest = columns(shell.rest, vertices);
     const double at_rest = std::sqrt(squared_distance(closest_points(kind, rest), rest));
-    // Lips of a crack have distance zero at rest; whoever opened the crack has passed them on to the barrier.
+    // Crack faces (lips) have distance zero at rest; they get here only when their exemption has ended.
     return at_rest > 0 ? std::min(together, share_of_rest * at_rest) : together;
 }
 

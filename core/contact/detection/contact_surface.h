@@ -10,19 +10,19 @@
 
 namespace sherd {
 
-/// A collider as surface contact sees it.
+/// A collider whose surface takes part in contact.
 struct ContactCollider {
     const ColliderSurface* surface = nullptr;
     double young = 3e10;  ///< Pa
     double friction = 0;  ///< Coulomb coefficient
     std::vector<Index> around =
-        {};  ///< ascending, vertices of sheets that are held inside it and do not collide with it
+        {};  ///< ascending, vertices of sheets that are pinned inside the collider and do not collide with it
     std::size_t number = 0;  ///< in Shell::start_depths
-    bool bare = false;  ///< whether no springs act above it: its surface does from where they would begin
+    bool bare = false;  ///< whether vertices have no springs, so that pairs act from where these would begin
 };
 
-/// Half the sum of the thicknesses, and the activation distance, m, of two elements of sheets that are given
-/// by their vertices in the order of PairPositions, as ContactSurface says.
+/// Half the sum of the thicknesses, and the activation distance (see ContactSurface), m, of two elements of
+/// sheets that are given by their vertices in the order of PairPositions.
 double half_thicknesses(const Shell& shell, PairKind kind, const std::array<Index, 4>& vertices);
 double activation_distance_of_sheets(const Shell& shell, PairKind kind, const std::array<Index, 4>& vertices);
 
@@ -30,12 +30,12 @@ double activation_distance_of_sheets(const Shell& shell, PairKind kind, const st
 /// thickness. Vertices are numbered consecutively, those of the colliders first, then those of the sheets.
 ///
 /// A pair is active when the distance of the middle surfaces is below its activation distance, half the sum
-/// of the thicknesses, which of edges and triangles are the means of their vertices. Between elements of one
-/// sheet it is at most three quarters of their distance at rest, so that the rest shape is free of contact
-/// forces (edges may be shorter than the thickness). A collider has no thickness: a sheet touches its surface
-/// at half the sheet's thickness, where the springs of ObstacleContact begin. The activation distance of
-/// pairs with it is half of that: the barrier stops what vertices and springs do not. With a bare one, that
-/// deforms, it is the whole.
+/// of the thicknesses, where an edge or a triangle has the mean thickness of its vertices. Between elements
+/// of one sheet it is at most three quarters of their distance at rest, so that the rest shape is free of
+/// contact forces (edges may be shorter than the thickness). A collider has no thickness: a sheet touches its
+/// surface at half the sheet's thickness, where the springs of ObstacleContact begin. The activation distance
+/// of pairs with a collider is half of that: the barrier stops what vertices and springs do not. With a
+/// deforming ("bare") collider it is the whole.
 ///
 /// The stiffness is that of a column of sheet, half of each thickness high, of the two materials in series: k
 /// = area / (t_a / (2 Y_a) + t_b / (2 Y_b)). The area of a vertex is its footprint. The area of two edges is
@@ -43,13 +43,13 @@ double activation_distance_of_sheets(const Shell& shell, PairKind kind, const st
 /// the thickness on the rim: summed over the crossings of two meshes that lie on each other at random angles,
 /// this is the area covered. Each of the three kinds of contact of two sheets (vertices of one, vertices of
 /// the other, edges) gets half a column. Against a collider the column is that of column_stiffness(), and an
-/// element of the collider acts on no more than the width of the sheet's element: the size of a large box
-/// does not matter to what its corner presses on.
+/// element of the collider acts on no more than the width of the sheet's element: the force of a corner does
+/// not depend on the size of its box.
 class ContactSurface {
   public:
-    /// Sheet and colliders' surfaces must outlive this object, which must be made anew when the shell's
+    /// Shell and colliders' surfaces must outlive this object, which must be made again when the shell's
     /// vertices or triangles have changed. sheets_meet: whether elements of sheets collide with each other.
-    /// springs: whether pairs are springs (Barrier), which give way up to the middle surfaces.
+    /// springs: whether pairs are springs (Barrier), which may be compressed until the middle surfaces touch.
     explicit ContactSurface(const Shell& shell, const std::vector<ContactCollider>& colliders = {},
                             bool sheets_meet = true, bool springs = false);
 
@@ -61,46 +61,49 @@ class ContactSurface {
     bool sheets_meet() const { return sheets; }
     bool has_springs() const { return springs; }
 
-    // These describe the sheets:
+    // Elements of the sheets:
     const std::vector<std::array<Index, 3>>& triangles() const { return triangle; }
     const std::vector<std::array<Index, 2>>& edges() const { return edge; }  ///< ascending
-    /// Pairs of twins in both orders, ascending.
+    /// Exempt pairs of vertices (twins), which coincide at a crack or whose faces cross at the start, in both
+    /// orders, ascending.
     const std::vector<std::array<Index, 2>>& twins() const { return twin; }
-    /// Whether elements with this vertex of sheets do not meet a collider's surface since the start.
+    /// Whether elements with this vertex of sheets are exempt from contact with a collider's surface since
+    /// the start.
     bool is_unseen(std::size_t of_collider, Index vertex) const {
         return !unseen.empty() && unseen[of_collider][of_sheet(vertex)] != 0;
     }
     std::size_t collider_count() const { return colliders.size(); }
-    /// Pairs of vertices that are near since the start, in both orders, ascending.
+    /// Pairs of vertices whose elements have a smaller activation distance since the start, in both orders,
+    /// ascending.
     const std::vector<NearVertices>& near_vertices() const { return near; }
-    // These describe the colliders, one collider after the other:
+    // Elements of the colliders, one collider after the other:
     const std::vector<std::array<Index, 3>>& collider_triangles() const { return collider_triangle; }
     const std::vector<std::array<Index, 2>>& collider_edges() const { return collider_edge; }  ///< ascending
     /// The number of the first vertex, edge and triangle of a collider.
     struct Start {
         Index vertex, edge, triangle;
     };
-    /// Has one entry more than there are colliders: the last one is the end of all.
+    /// Starts of all colliders, followed by the end of the last one.
     const std::vector<Start>& collider_starts() const { return start_of; }
 
     double half_thickness(Index vertex) const {
         return of_collider(vertex) ? 0 : 0.5 * shell->thickness[of_sheet(vertex)];
     }
-    /// Half the thickness, m, that no element with this vertex of sheets exceeds.
+    /// Upper bound, m, on half the thickness of elements with this vertex of sheets.
     double largest_half_thickness(Index vertex) const {
         return largest_half.empty() ? half_thickness(vertex) : largest_half[of_sheet(vertex)];
     }
 
-    // These take two elements, given by their vertices in the order of PairPositions, edges as in edges():
+    // Functions of two elements, given by their vertices in the order of PairPositions, edges as in edges():
 
-    /// Whether they never collide: they share a vertex, have twins, or one is held inside the other.
+    /// Whether the elements are exempt from contact: they share a vertex, have an exempt pair of vertices, or
+    /// a vertex of one is pinned inside the collider of the other, or exempt from it since the start.
     bool apart(PairKind kind, const std::array<Index, 4>& vertices) const;
     /// Half the sum of their thicknesses, m.
     double thickness(PairKind kind, const std::array<Index, 4>& vertices) const;
-    /// The activation distance, m; of elements with vertices that are near since the start at most their
-    /// reach.
+    /// The activation distance, m; at most the reach of vertices in near_vertices().
     double activation_distance(PairKind kind, const std::array<Index, 4>& vertices) const;
-    /// The distance, m, beyond which the barrier of a pair is finite: its minimum, if it is no spring.
+    /// The minimum distance, m, of the pair as a barrier, also if it is a spring.
     double minimum_of_barrier(const ContactPair& pair) const {
         return closest_of_barrier(pair.kind, pair.vertices) * pair.activation_distance;
     }
@@ -122,10 +125,10 @@ class ContactSurface {
 
   private:
     Index of_sheet(Index vertex) const { return vertex - collider_vertices(); }
-    /// The minimum of a pair that is no spring, as a share of its activation distance.
+    /// The minimum distance of a pair as a barrier, as a share of its activation distance.
     double closest_of_barrier(PairKind kind, const std::array<Index, 4>& vertices) const;
-    bool joined(Index a, Index b) const;   ///< whether they are the same vertex or twins
-    double reach(Index a, Index b) const;  ///< m, of NearVertices; infinite if they are none
+    bool joined(Index a, Index b) const;   ///< whether the vertices are equal or an exempt pair
+    double reach(Index a, Index b) const;  ///< m, of NearVertices; infinite for other vertices
     /// Half the thickness of either element, m.
     std::array<double, 2> half_thicknesses(PairKind kind, const std::array<Index, 4>& vertices) const;
     double edge_width(Index a, Index b) const;
@@ -144,14 +147,14 @@ class ContactSurface {
     std::vector<ContactCollider> colliders;
     bool sheets, springs;
     std::vector<Index> collider;  ///< the collider of each vertex of colliders
-    std::vector<Start> start_of;  ///< of each collider
+    std::vector<Start> start_of;  ///< see collider_starts()
     std::vector<std::array<Index, 3>> triangle, collider_triangle;
     std::vector<std::array<Index, 2>> edge, collider_edge, twin;
     std::vector<double> width, collider_width;  ///< m, of each edge
-    std::vector<double> largest_half;           ///< m, of each vertex of uneven sheets; empty: its own
-    std::vector<std::vector<char>> unseen;  ///< by each collider, each vertex of sheets; empty: all are seen
+    std::vector<double> largest_half;           ///< m, of each vertex; empty: the thickness is even
+    std::vector<std::vector<char>> unseen;      ///< exemptions by collider and vertex of sheets; empty: none
     std::vector<NearVertices> near;
-    std::vector<char> has_twin, is_near;  ///< of each vertex of sheets
+    std::vector<char> has_twin, is_near;  ///< flags of each vertex of sheets
 };
 
 }  // namespace sherd

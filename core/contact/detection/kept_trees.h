@@ -6,10 +6,10 @@
 
 namespace sherd {
 
-/// What a search for pairs keeps of its trees for the next one. No result depends on it.
+/// Trees, and divisions of trees, that a search for pairs leaves to the next one. No result depends on them.
 struct KeptTrees {
     ColliderTrees colliders;
-    BoxTree::Division vertices, triangles, edges;  ///< of the sheets
+    BoxTree::Division vertices, triangles, edges;  ///< divisions of the sheets' elements
 };
 
 }  // namespace sherd

@@ -4,7 +4,7 @@
 namespace sherd {
 namespace {
 
-/// How many vertices a cell has: few, so that it bends little; not one, so that blocks look at few cells.
+/// Vertices in a cell: few, so that they move almost alike; more than one, so that a block has few cells.
 constexpr std::size_t cell_size = 48;
 
 }  // namespace

@@ -8,15 +8,15 @@
 
 namespace sherd {
 
-/// Vertices in cells of a few that are near each other. The boxes of their motions bound, for little, how far
-/// any two of many vertices move relative to each other.
+/// Cells of a few vertices that are near each other. The boxes of their motions give a cheap bound on the
+/// relative motion of any two of many vertices.
 class MotionCells {
   public:
-    /// Puts those at x [3, V] m into cells that have none yet: the first time those near each other together,
-    /// later each by itself, since these are few.
+    /// Assigns cells to the vertices at x [3, V] m that have none. The first time, vertices near each other
+    /// share a cell; later each new vertex has one of its own, since these are few.
     void cover(const Positions& x);
     Index of(Index vertex) const { return cell[vertex]; }
-    /// Of each cell the box of the motions [3, V] m of its vertices.
+    /// Bounding box, for each cell, of the motions [3, V] m of its vertices.
     std::vector<Box> boxes(const Positions& motions) const;
 
     void visit_state(StateVisitor& visit) {
@@ -25,11 +25,11 @@ class MotionCells {
     }
 
   private:
-    std::vector<Index> cell;  ///< of each vertex
+    std::vector<Index> cell;  ///< cell of each vertex
     Index count = 0;
 };
 
-/// Bound, m, on how far any two points move relative to each other whose motions a box has.
+/// Bound, m, on the relative motion of two points whose motions are in a box.
 double spread(const Box& motions);
 
 }  // namespace sherd

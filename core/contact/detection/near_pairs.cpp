@@ -9,29 +9,32 @@
 namespace sherd {
 namespace {
 
-/// Margins by which vertices may depart from the motion before candidates are searched again, and for pairs
-/// that are near, in half thicknesses of the thinnest sheet; and how far ahead to search.
+/// In half thicknesses of the thinnest sheet: the margin by which vertices may depart from the motion before
+/// candidates are searched again, the margin of pairs_nearby(), and the length of the motion that a search
+/// covers.
 constexpr double margin_of_candidates = 0.5, nearby = 0.1, ahead = 12;
-/// Where triangles are much wider than the thickness, more costs little, and directions of a minimiser turn:
-/// the multiple of the motion that is margin, and the share of a width that this margin, and the way ahead,
-/// may be.
+/// Larger values where triangles are much wider than the thickness, since they cost little there and
+/// directions of a minimiser change: the margin over the length of the motion, and in widths of triangles the
+/// limit of this margin and the length of the motion that a search covers.
 constexpr double margin_of_motion = 2, margin_of_width = 0.2, ahead_of_width = 0.6;
 constexpr double most_steps = 10;
-/// A motion is looked at in parts of so many widths, since the pairs within reach of one are as many as the
-/// square of its length: a direction of a minimiser that is lost would take all memory. And no farther than
-/// this many.
+/// Length, in widths of triangles, and largest number of the parts in which a motion is tested. The number of
+/// pairs within reach of a part grows with the square of its length: a diverging direction of a minimiser
+/// would take all memory.
 constexpr double widths_of_part = 2, most_parts = 64;
 
-/// Share of the range that a motion may leave of it; the least where only passing counts, as for springs.
+/// Clearance that a motion leaves (safe_fraction()), as a share of the range; the smaller one where only
+/// passing counts, as for springs.
 constexpr double clearance_of_barriers = 0.5, clearance_of_passing = 1e-3;
-/// Share of its range that a barrier has left, at least, where implicit steps shall go on.
+/// Least share of its range that a barrier must have left for implicit steps to continue.
 constexpr double room_for_barriers = 0.02;
 
 double clearance(const ContactPair& pair) {
     return (pair.spring ? clearance_of_passing : clearance_of_barriers) * pair.barrier().range;
 }
 
-/// How far elements are from each other, on the mean: edges where triangles are even, the width of needles.
+/// Mean height of triangles over their longest edge, m: about an edge where triangles are even, the width of
+/// needles.
 double mean_width(const ContactSurface& surface, const Positions& x) {
     double sum = 0;
     for (const auto& [a, b, c] : surface.triangles()) {

@@ -16,23 +16,24 @@ class NearPairs {
   public:
     explicit NearPairs(ContactSurface surface, Threads threads = Threads())
         : of(std::move(surface)), threads(std::move(threads)), found(this->threads) {}
-    /// Continues with a surface whose sheets have changed, or have other twins.
+    /// Continues with a surface whose sheets, or their exempt vertices (twins), have changed.
     void surface_changed(const ShellChange& change, ContactSurface surface);
     const ContactSurface& surface() const { return of; }
 
     /// The active pairs at x, ascending, vertex-triangle pairs first. They are valid until the next call.
     const std::vector<ContactPair>& active_pairs(const Positions& x) const;
     /// Fraction, 0 to 1, of a straight motion from x up to which every pair stays above its minimum distance;
-    /// less where a vertex moves by more than 128 widths of triangles beside the others.
+    /// less where a vertex moves by more than 128 widths of triangles relative to the others.
     double safe_fraction(const Positions& x, const Positions& motion) const {
         return free_fraction(x, motion, Kept::minimum);
     }
     /// Whether middle surfaces pass through each other somewhere in a straight motion from x, whatever their
-    /// thickness, or a vertex moves as far as safe_fraction() does not look.
+    /// thickness, or a vertex moves beyond the limit of safe_fraction().
     bool passes(const Positions& x, const Positions& motion) const {
         return free_fraction(x, motion, Kept::nothing) < 1;
     }
-    /// Whether they pass on a way of so many straight parts; at(share): where all are after a share of it.
+    /// Whether middle surfaces pass through each other on a path of `parts` straight parts; at(share):
+    /// positions after a share of it.
     template <class At>
     bool passes_in_parts(int parts, const At& at) const {
         Positions before = at(0.0);
@@ -43,7 +44,7 @@ class NearPairs {
         }
         return false;
     }
-    /// Pairs that are springs have this from now on.
+    /// Sets the second spring of pairs that are springs, also of those found later.
     void set_firmness(Firmness of_springs);
     Firmness firmness() const { return firm; }
     /// The smallest distance of an active pair at x, as a share of its activation distance; 1 if there is
@@ -52,17 +53,16 @@ class NearPairs {
     /// Whether pairs at x that are springs could be barriers, with some of their range left.
     bool leave_room_for_barriers(const Positions& x) const;
     /// A superset of the pairs that are active at x, and of those that are nearer there than a tenth of the
-    /// thinnest sheet's thickness, by a search that leaves nothing for the next one.
+    /// thinnest sheet's thickness, by a search of its own, which is not reused.
     std::vector<ContactPair> pairs_nearby(const Positions& x) const;
     /// Calls see(pair) for a superset of the pairs that pairs_nearby() finds anywhere between x and x +
-    /// motion, several times for some of them. Where the motion is longer than safe_fraction() looks, there
-    /// are none.
+    /// motion, several times for some of them; never where the motion exceeds the limit of safe_fraction().
     void each_nearby(const Positions& x, const Positions& motion,
                      const std::function<void(const ContactPair&)>& see) const;
     /// The pairs that may be active somewhere in a straight motion from x.
     std::vector<ContactPair> pairs_within_reach(const Positions& x, const Positions& motion) const;
     /// Appends the pairs of shell vertices, numbered as in the shell, that have a block in a Hessian at x;
-    /// `ahead`: those of pairs that may become active soon.
+    /// with `ahead`, of all pairs that are near (ContactCandidates::nearness).
     void add_contacts(const Positions& x, bool ahead, std::vector<std::pair<Index, Index>>& pairs) const;
 
     /// Adds the shell's vertices of pairs with colliders that are active at x, numbered as in the shell, and
@@ -70,7 +70,7 @@ class NearPairs {
     void add_touched(const Positions& x, std::set<Index>& vertices,
                      std::set<const ColliderSurface*>& touched) const;
 
-    /// Trees follow from where the elements are.
+    /// Visits all but the trees, which follow from the positions.
     void visit_state(StateVisitor& visit) {
         auto& [of, threads, firm, trees, found, last, active] = *this;
         visit(of, firm, found, last, active);
@@ -78,13 +78,13 @@ class NearPairs {
 
   private:
     void find(const Positions& x, const Positions& motion) const;
-    /// The distance that pairs keep on a way that counts as free: their minimum, or none.
+    /// The distance that pairs keep in a motion that counts as free: their minimum, or none.
     enum class Kept { minimum, nothing };
     double free_fraction(const Positions& x, const Positions& motion, Kept kept) const;
     double free_fraction_of_part(const Positions& x, const Positions& motion, Kept kept) const;
-    /// How many parts a motion is looked at in; one where it is short.
+    /// Number of parts in which a motion is tested; one where it is short.
     double parts(const Positions& x, const Positions& motion) const;
-    /// The neighbourhood in which each_nearby() and pairs_nearby() look.
+    /// The neighbourhood in which each_nearby() and pairs_nearby() search.
     Neighbourhood surroundings(const Positions& x, const Positions& motion) const;
     // The candidates of a neighbourhood with x, and with the motion from it:
     const ContactCandidates& candidates(const Positions& x) const;
@@ -93,11 +93,11 @@ class NearPairs {
     ContactSurface of;
     Threads threads;
     Firmness firm;
-    // These are caches: no result depends on them.
+    // Caches: no result depends on them.
     mutable KeptTrees trees;
     mutable ContactCandidates found;          ///< candidates for many steps to come
-    mutable Positions last;                   ///< m, where the active pairs were last asked for
-    mutable std::vector<ContactPair> active;  ///< the active pairs there
+    mutable Positions last;                   ///< m, positions of the last call of active_pairs()
+    mutable std::vector<ContactPair> active;  ///< active pairs at `last`
 };
 
 }  // namespace sherd

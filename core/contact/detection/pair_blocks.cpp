@@ -10,10 +10,10 @@
 namespace sherd {
 namespace {
 
-/// How many pairs a block has at most.
+/// Largest number of pairs in a block.
 constexpr std::size_t block_size = 512;
 
-/// The vertex by whose place a pair is sorted: of a sheet, since elements of colliders may be large.
+/// The vertex by whose place a pair is sorted: one of a sheet, since elements of colliders may be large.
 Index place_of(const ContactPair& pair) {
     return *std::ranges::max_element(pair.vertices);
 }

@@ -11,11 +11,11 @@
 
 namespace sherd {
 
-/// Pairs of elements, each with the room that was left before it is active when it was last measured. Pairs
-/// beside each other form a block. As long as no two vertices of a block have moved by more than a pair's
-/// room relative to each other, nothing has to be computed for that pair: most pairs of a sheet that stays in
-/// one piece are never looked at. Whether a block has such a pair its cells of vertices tell first, which are
-/// far fewer. No result depends on when which block was measured.
+/// Candidate pairs, each with its room, the distance less the activation distance, when it was last measured.
+/// Neighbouring pairs form a block. As long as no two vertices of a block have moved by more than a pair's
+/// room relative to each other, nothing is computed for that pair: most pairs of a sheet that stays in one
+/// piece are never tested. Cells of vertices, which are far fewer, tell first whether a block has a pair to
+/// test. No result depends on when a block was measured.
 class PairBlocks {
   public:
     struct Entry {
@@ -23,19 +23,19 @@ class PairBlocks {
         double room;  ///< m, distance less activation distance
     };
 
-    /// Adds pairs, with their room at x, which is the same each time but for vertices that have changed.
+    /// Adds pairs with their room at x. From call to call x may differ only at vertices that have changed.
     void add(const std::vector<Entry>& entries, const Positions& x);
-    /// Removes the pairs with a vertex that has changed. The others may have another stiffness than before.
+    /// Removes the pairs with a vertex that has changed. The stiffness of the others is computed again.
     void remove(const std::vector<char>& changed);
 
-    /// The active pairs at x, ascending, vertex-triangle pairs first. round_off: m, bound on that of
+    /// The active pairs at x, ascending, vertex-triangle pairs first. round_off: m, bound on the round-off of
     /// distances.
     std::vector<ContactPair> find_active(const ContactSurface& surface, const Positions& x, double round_off,
                                          const Threads& threads);
-    /// Those pairs, ascending, for which keep(pair, least) is true. It is asked of all pairs that are nearer
-    /// at x than `nearness` times their activation distance, a `reserve` (m) and what their vertices approach
-    /// each other by in the motion, if any; and of others; in any order, by several threads at a time. least:
-    /// m, a bound of the pair's distance at x. Not all pairs have their stiffness.
+    /// Returns the pairs, ascending, for which keep(pair, least) is true. All pairs are tested that are
+    /// nearer at x than `nearness` times their activation distance, plus `reserve` (m), plus the approach of
+    /// their vertices in the motion, if any; and some others; in any order, by several threads at a time.
+    /// least: m, lower bound of the pair's distance at x. Not all pairs have their stiffness.
     template <class Keep>
     std::vector<ContactPair> near(const Positions& x, const Positions& motion, double nearness,
                                   double reserve, const Threads& threads, const Keep& keep) const {
@@ -65,16 +65,16 @@ class PairBlocks {
 
   private:
     struct Block {
-        std::vector<Entry> entries;     ///< by their room, least first
-        std::vector<Index> vertices;    ///< of all entries, ascending
+        std::vector<Entry> entries;     ///< sorted by room, least first
+        std::vector<Index> vertices;    ///< vertices of all entries, ascending
         Positions reference;            ///< [3, vertices] m, where the room was measured
-        double largest_activation = 0;  ///< m, no activation distance is larger
-        std::size_t idle = 0;           ///< how often a pair was looked at since then and was not active
-        bool stale = false;             ///< whether the stiffness of pairs may be another one
+        double largest_activation = 0;  ///< m, upper bound of the activation distances
+        std::size_t idle = 0;           ///< number of tests since then that found a pair inactive
+        bool stale = false;             ///< whether the stiffness of pairs may have changed
         bool measured = false;          ///< whether the room was measured elsewhere than at the start
-        std::vector<Index> cells;       ///< of the vertices, ascending
+        std::vector<Index> cells;       ///< cells of the vertices, ascending
 
-        /// With the vertices at x. seen: zeros, one for each vertex.
+        /// A block with the vertices at x. seen: zeros, one for each vertex.
         Block(std::span<const Entry> given, const Positions& x, const MotionCells& in,
               std::vector<char>& seen);
         Block() = default;
@@ -86,10 +86,11 @@ class PairBlocks {
                          const std::vector<Box>& moved_cells, double round_off,
                          std::vector<ContactPair>& active);
         double least_room() const { return entries.front().room; }
-        /// Bound, m, on how far any two of the vertices have moved relative to each other.
+        /// Bound, m, on the relative motion of any two of the vertices. x: their positions, which moved there
+        /// from `from`; or, if that is null, their motions.
         double spread(const Positions& x, const Positions* from) const;
-        /// One that is found faster, and no smaller, with the boxes of all cells; without any: none has
-        /// moved.
+        /// A cheaper bound, no smaller than spread(), from the boxes of all cells' motions; no boxes: nothing
+        /// moves.
         double cell_spread(const std::vector<Box>& boxes) const;
         void visit_state(StateVisitor& visit) {
             auto& [entries, vertices, reference, largest_activation, idle, stale, measured, cells] = *this;
@@ -114,7 +115,7 @@ class PairBlocks {
 
     std::vector<Block> blocks;
     MotionCells cells;
-    Positions start;  ///< m, where blocks were made
+    Positions start;  ///< m, positions at which blocks were made
 };
 
 }  // namespace sherd

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The surfaces of the bodies of explicit_bodies.h against those of each other and of obstacles.
+// Contact of the bodies' surfaces (explicit_bodies.h) with each other and with those of obstacles.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -13,14 +13,13 @@
 namespace sherd {
 namespace {
 
-/// By how many m/s for each N s a force may move a point of a body that is so far from its centre, at most,
-/// 1/kg.
+/// Upper bound on the mobility (velocity per impulse), 1/kg, of a point of a body at a distance `arm`, m,
+/// from its centre of mass.
 double largest_mobility(const RigidBody& body, double arm) {
     return 1 / body.mass + arm * arm / body.inertia.minCoeff();
 }
 
-/// The rotation vector, rad, of a body from one state to another one, with the whole turns that it makes
-/// meanwhile, in `length` s.
+/// Rotation vector, rad, of a body between two states that are `length` s apart, whole turns included.
 Vector3d turn_of(const RigidBody& from, const RigidBody& to, double length) {
     const Eigen::AngleAxisd turn(to.rotation * from.rotation.transpose());
     const double spun = 0.5 * length * (from.spin() + to.spin()).dot(turn.axis());
@@ -146,7 +145,7 @@ void ExplicitBodies::add_surfaces(double length, std::span<const Eigen::Isometry
             throw std::runtime_error(
                 "contact: a free body passes through another one, or through an obstacle: the springs of "
                 "explicit contact are overwhelmed; a stiffer body, less speed, or implicit steps may help");
-        // Each of them may take the sliding of all.
+        // Each pair may stop the sliding of all.
         const double sharing = met->coefficient() > 0 ? met->count_active(places) : 0;
         met->each_active(places, [&](const ContactPair& pair, const PairPositions& at) {
             add_surface_pair(*met, at, pair.vertices, -gradient(pair, at),

@@ -10,12 +10,12 @@
 
 namespace sherd {
 
-/// What contact adds up in one evaluation of an explicit substep.
+/// Forces of contact in one evaluation of an explicit substep.
 struct ContactForces {
     Positions force;                  ///< [3, V] N, on the shell
-    std::vector<Reaction> obstacles;  ///< of each obstacle, on shell and bodies
+    std::vector<Reaction> obstacles;  ///< forces of each obstacle on shell and bodies
     Positions deforming;              ///< [3, S] N, on the vertices of colliders; empty: none deforms
-    // What of these is friction:
+    // Friction's part of these forces:
     Positions friction;
     std::vector<Reaction> obstacle_friction;
     Positions deforming_friction;
@@ -25,7 +25,7 @@ struct ContactForces {
         visit(force, obstacles, deforming, friction, obstacle_friction, deforming_friction);
     }
 
-    /// Makes all of it zero. of_colliders: how many vertices colliders have, if any of them deforms.
+    /// Sets all forces to zero. of_colliders: number of the colliders' vertices, or 0 if no collider deforms.
     void clear(Eigen::Index vertices, std::size_t number_of_obstacles, Eigen::Index of_colliders) {
         deforming.setZero(3, of_colliders);
         deforming_friction.setZero(3, of_colliders);
@@ -39,7 +39,7 @@ struct ContactForces {
         obstacles[obstacle].add(at, rubbed);
         obstacle_friction[obstacle].add(at, rubbed);
     }
-    /// Adds a force on a vertex of colliders; rub_collider(): one of friction.
+    /// Adds a force, N, on a vertex of colliders; rub_collider() adds friction.
     void press(Index vertex, const Vector3d& pressed) {
         if (deforming.cols() > 0) deforming.col(vertex) += pressed;
     }
@@ -54,7 +54,7 @@ struct ContactForces {
     }
 };
 
-/// A substep that contact forces act in.
+/// A substep in which contact forces act.
 struct Substep {
     double length;              ///< s
     const Positions& position;  ///< [3, V] m, at its end

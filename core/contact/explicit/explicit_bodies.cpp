@@ -259,8 +259,9 @@ double ExplicitBodies::stored_energy(const Positions& x, std::span<const Eigen::
 
 double ExplicitBodies::largest_rate(const StepContext& step, double margin) const {
     double largest = 0, of_points = 0;
-    // A vertex feels the body's shape and, between vertices, its surface by half a column each; it may be as
-    // far from a body that touches an edge or a face as these are long.
+    // The body's shape acts on a vertex with the stiffness of a column, and its surface, between vertices,
+    // with half of that for each kind of pair. The vertex may be as far from a body that touches an edge or a
+    // face as these are long.
     for (std::size_t b = 0; b < all.size(); ++b) {
         const double reach = margin + (pairs[b] ? longest : 0);
         largest = std::max(largest, 2 * at_vertices[b].largest_rate(step.origin, all[b].pose(), reach) +

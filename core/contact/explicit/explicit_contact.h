@@ -13,37 +13,39 @@
 
 namespace sherd {
 
-/// All contact of a run in explicit steps: the same springs at vertices, columns of sheet and lips as in
-/// implicit ones (Contact), but pairs of elements are springs, too, and friction is a force at the present
-/// velocity that never turns the sliding round.
+/// All contact of a run in explicit steps. Springs at vertices and at crack faces (lips), and columns of
+/// sheet, are those of implicit steps (Contact), but pairs of elements are springs, too, and friction is a
+/// force at the present velocity that never reverses the sliding.
 class ExplicitContact {
   public:
     /// The shell must outlive this object. gravity: m/s^2, acts on the bodies.
     ExplicitContact(const Shell& shell, ContactOptions options, const Vector3d& gravity,
                     const Threads& threads = Threads());
-    ExplicitContact(const ExplicitContact&) = delete;  // its parts refer to its obstacles
+    ExplicitContact(const ExplicitContact&) = delete;  // parts refer to its obstacles
 
-    /// Begins a step at `time` (s); first: of this object.
+    /// Begins a step at `time` (s); first: whether it is the first of this object.
     void begin(double time, bool first);
-    /// Puts the obstacles where they are at `time` (s); `before`: where they were until then.
+    /// Moves the obstacles to their poses at `time` (s); `before`: s, of their last poses.
     void place(double before, double time);
     void shell_changed(const ShellChange& change);
-    /// Finds the forces at the end of a substep, where the obstacles are.
+    /// Computes the forces at the end of a substep, with the obstacles at their last poses.
     void find_forces(const Substep& substep, ContactForces& forces);
-    /// Stored in all contacts with the shell at x, J.
+    /// Elastic energy, J, of all contacts with the shell at x.
     double stored_energy(const Positions& x) const;
     /// An upper bound of the square of the frequencies, 1/s^2, that contact may add to those of the shell in
     /// a step in which it moves by `motion` [3, V] m.
     double largest_rate(const StepContext& step, const Positions& motion);
     /// Ends a step with the shell at `end` [3, V] m. Returns false if a sheet passes through another one, or
     /// through the surface of an obstacle or a body, in the straight motion from its origin: springs have
-    /// become firmer, and the step must be made again. Throws std::runtime_error if they cannot be firmer, or
-    /// the sheet is too deep for ContactOptions::barriers_follow.
+    /// become firmer, and the step must be repeated. Throws std::runtime_error if springs cannot become
+    /// firmer, as always with ContactOptions::barriers_follow, or if with it a pair is too near for a
+    /// barrier.
     bool end(const StepContext& step, const Positions& end);
-    /// Throws std::runtime_error that says that springs are overwhelmed.
+    /// Throws std::runtime_error: something has passed through the springs of contact.
     [[noreturn]] static void refuse_passage();
-    /// Work, J, of the obstacles that move as they are told, in the substep that placed them last; forces and
-    /// those on the vertices of what deforms (ContactForces): the mean over the substep.
+    /// Work, J, of the obstacles, which move and deform as prescribed, in the substep of the last place().
+    /// forces, on_deforming: means over the substep of the obstacles' forces, and of those on the vertices of
+    /// deforming ones (ContactForces).
     double obstacle_work(std::span<const Reaction> forces, const Positions& on_deforming) const;
 
     ExplicitBodies& of_bodies() { return bodies; }
@@ -61,28 +63,28 @@ class ExplicitContact {
     bool passes(const StepContext& step, const Positions& end);
     bool leaves_room_for_barriers(const Positions& end) const;
     void set_firmness(Firmness of_pairs);
-    /// Makes springs firmer where no pair is yet that deep at the beginning of the step; false if that cannot
-    /// be.
+    /// Makes the second springs (Firmness) stiffer, in a range that no pair has entered at the beginning of
+    /// the step. Returns false if there is none, or if they are as stiff as they may be.
     bool become_firmer(const StepContext& step);
-    /// Takes firm springs away that nothing presses.
+    /// Removes the second springs if no pair at the end of the step is in their range.
     void relax(const Positions& end);
     void add_obstacles(const Substep& substep, ContactForces& sum) const;
     void add_sheets(const Substep& substep, ContactForces& sum) const;
     // all: positions of colliders and sheets at the end of the substep.
     void add_sheet_friction(const Substep& substep, const Positions& all, ContactForces& sum) const;
-    /// On the vertices of a pair, N.
+    /// Friction, N, on the vertices of a pair.
     PairPositions friction_of(const ContactPair& pair, const Substep& substep, const Positions& all) const;
 
     ContactOptions options;
     const Shell& shell;
     Threads threads;
     ExplicitBodies bodies;
-    std::vector<VertexContact> at_vertices;      ///< of each obstacle
-    StepContext substep;                         ///< in which the obstacles were placed last
-    std::vector<Eigen::Isometry3d> before, now;  ///< of each obstacle, at its beginning and at its end
-    std::unique_ptr<SheetContact> sheets;        ///< null where no surfaces meet
+    std::vector<VertexContact> at_vertices;      ///< contact of vertices with each obstacle
+    StepContext substep;                         ///< from the obstacles' last poses to their present ones
+    std::vector<Eigen::Isometry3d> before, now;  ///< poses of the obstacles at its beginning and its end
+    std::unique_ptr<SheetContact> sheets;        ///< null if no surfaces collide
     LipContact lips;
-    Firmness firmness;  ///< all pairs have this one
+    Firmness firmness;  ///< second spring of all pairs
 };
 
 }  // namespace sherd

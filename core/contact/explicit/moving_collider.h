@@ -7,8 +7,8 @@
 
 namespace sherd {
 
-/// The velocity, m/s, of the point `at` (m, at the end) of something rigid that was moved from one place to
-/// another in `length` s.
+/// Velocity, m/s, of the point `at` (m, at the end) of a rigid collider that moves from one pose to another
+/// in `length` s.
 inline Vector3d velocity_of_point(const Eigen::Isometry3d& before, const Eigen::Isometry3d& now,
                                   const Vector3d& at, double length) {
     return (at - before * (now.inverse() * at)) / length;

@@ -6,9 +6,9 @@
 namespace sherd {
 
 /// Friction, N, [3, 4], on the vertices of two elements in contact, in an explicit substep of `length` s. at,
-/// velocity: [3, 4] m and m/s, of the vertices. It adds up to no force and no torque. mobility(along): by how
-/// many m/s for each N s forces `along` [3, 4] on the vertices, which work on the slip as a unit force does,
-/// change the velocity of the slip, 1/kg.
+/// velocity: [3, 4] m and m/s, of the vertices. It has no net force and no net torque. mobility(along):
+/// change of the slip's velocity per impulse, 1/kg, by forces `along` [3, 4] on the vertices that do the work
+/// of a unit force on the slip.
 template <class Mobility>
 PairPositions pair_friction(const ContactPair& pair, const PairPositions& at, const PairPositions& velocity,
                             double coefficient, double length, Mobility mobility) {

@@ -7,17 +7,17 @@
 
 namespace sherd {
 
-/// The smoothing of friction is what slides with this speed in a step, m/s.
+/// Sliding speed, m/s, at which the slip in a step equals Friction::smoothing.
 constexpr double smoothing_speed = 0.01;
 
 /// Coulomb friction in one step, with the limit force lagged to its beginning: a potential of the slip
-/// (sliding displacement) in the step and what is held of the slip before it, whose slope rises smoothly from
-/// zero to the limit. What is held makes it stick: below the limit the contact is an elastic bristle (Cundall
-/// and Strack 1979), whose force does not need a speed.
+/// (sliding displacement) in the step plus the elastic slip `held` from earlier steps, whose slope rises
+/// smoothly from zero to the limit. The elastic slip makes contacts stick: below the limit a contact is an
+/// elastic bristle (Cundall and Strack 1979), whose force does not need a speed.
 struct Friction {
     double limit;                      ///< N, coefficient times normal force
-    double smoothing;                  ///< m, from which on the force is the limit
-    Vector3d held = Vector3d::Zero();  ///< m, in the plane of sliding
+    double smoothing;                  ///< m, slip from which on the force is the limit
+    Vector3d held = Vector3d::Zero();  ///< m, elastic slip, in the plane of sliding
 
     double value(const Vector3d& slip) const {  ///< J
         const double way = (held + slip).norm(), ratio = way / smoothing;
@@ -27,7 +27,8 @@ struct Friction {
         const double way = (held + slip).norm(), ratio = way / smoothing;
         return limit * (held + slip) * (ratio < 1 ? (2 - ratio) / smoothing : 1 / way);
     }
-    /// What the next step holds, in multiples of `smoothing`: of length 1 at most, which what slides has.
+    /// Elastic slip for the next step, in multiples of `smoothing`. Its length is at most 1, as in a contact
+    /// that slides.
     Vector3d held_after(const Vector3d& slip) const {
         const Vector3d whole = (held + slip) / smoothing;
         return whole / std::max(1.0, whole.norm());
@@ -45,8 +46,8 @@ struct Friction {
     }
 };
 
-/// The force, N, of Coulomb friction in an explicit step of `length` s on what slides at `velocity` (m/s)
-/// with an effective mass (kg): it stops the sliding, but never turns it round. limit: N.
+/// The force, N, of Coulomb friction in an explicit step of `length` s on an effective mass (kg) that slides
+/// at `velocity` (m/s): it stops the sliding, but never reverses it. limit: N.
 inline Vector3d explicit_friction(double limit, const Vector3d& velocity, double mass, double length) {
     const double speed = velocity.norm();
     return speed > 0 ? Vector3d(-std::min(limit / speed, mass / length) * velocity) : Vector3d::Zero();

@@ -39,7 +39,7 @@ SurfaceDistance PlaneShape::distance(const Vector3d& at) const {
 Eigen::AlignedBox3d PlaneShape::bounds() const {
     const Vector3d all = Vector3d::Constant(std::numeric_limits<double>::infinity());
     Eigen::AlignedBox3d box(-all, all);
-    for (int axis = 0; axis < 3; ++axis) {  // of a floor: most vertices are above it
+    for (int axis = 0; axis < 3; ++axis) {  // tight for a floor, which most vertices are above
         if (normal == Vector3d::Unit(axis)) box.max()[axis] = point[axis];
         if (normal == -Vector3d::Unit(axis)) box.min()[axis] = point[axis];
     }

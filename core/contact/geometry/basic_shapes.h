@@ -47,7 +47,7 @@ struct CylinderShape : Shape {
     Eigen::AlignedBox3d bounds() const override;
 };
 
-/// What has no inside: an open surface, or one that deforms. Sheets meet its triangles only.
+/// Shape of a surface without inside, which is open or deforms. Sheets collide with its triangles only.
 struct BareSurface : Shape {
     SurfaceDistance distance(const Vector3d& at) const override;  ///< infinite
     Eigen::AlignedBox3d bounds() const override;                  ///< empty

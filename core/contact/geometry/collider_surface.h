@@ -8,12 +8,12 @@
 
 namespace sherd {
 
-/// The surface of a collider, as triangles in a frame of its own. It is empty for shapes without corners and
-/// edges, and for a plane, where contact of the sheet's vertices is enough.
+/// The surface of a collider, as triangles in a frame of its own. It is empty for a plane, where contact of
+/// the sheet's vertices is enough.
 struct ColliderSurface {
     Positions points = Positions(3, 0);           ///< [3, P] m
     std::vector<std::array<Index, 3>> triangles;  ///< each of three points
-    // These follow from points and triangles:
+    // Derived from points and triangles:
     VectorXd footprint;                       ///< [P] m^2, area of the surface that is nearest to each point
     std::vector<std::array<Index, 2>> edges;  ///< ascending, without those that coplanar triangles share,
                                               ///< unless they may bend
@@ -22,8 +22,8 @@ struct ColliderSurface {
     Index size() const { return static_cast<Index>(points.cols()); }
 };
 
-/// The surface of triangles on points [3, P] m. deforms: whether triangles that are coplanar here may be so
-/// no longer. Throws std::out_of_range if a triangle refers to a missing point.
+/// The surface of triangles on points [3, P] m. deforms: whether triangles that are coplanar here may bend
+/// later. Throws std::out_of_range if a triangle refers to a missing point.
 ColliderSurface collider_surface(Positions points, std::vector<std::array<Index, 3>> triangles,
                                  bool deforms = false);
 

@@ -11,7 +11,7 @@ namespace sherd {
 double approach(PairKind kind, const PairPositions& displacement);
 
 /// Whether safe_fraction() is 1 for any two elements that are at least `distance` apart and approach each
-/// other by `way`, m; both beside round-off.
+/// other by at most `way`, m. The caller allows for round-off in both.
 bool surely_free(double distance, double way, double minimum, double clearance);
 
 /// Largest fraction, 0 to 1, of the straight motion from x by `displacement` (m) that two elements can make

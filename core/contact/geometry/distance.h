@@ -23,7 +23,7 @@ inline int vertices_of_first(PairKind kind) {
 /// weights. Where the closest points may slide along their elements, the weights change along `directions`.
 /// The vertices with a nonzero weight determine the case of the pair.
 struct Closest {
-    Eigen::Vector4d weights = Eigen::Vector4d::Zero();  ///< they sum to zero
+    Eigen::Vector4d weights = Eigen::Vector4d::Zero();  ///< weights with sum zero
     Eigen::Matrix<double, 4, 2> directions = Eigen::Matrix<double, 4, 2>::Zero();
     int freedom = 0;  ///< directions used: 0 vertex-vertex, 1 vertex-edge, 2 vertex-face and edge-edge
 };

@@ -13,7 +13,7 @@ struct SurfaceEdge {
     std::array<Index, 2> ends{};       ///< ascending
     double area = 0;                   ///< m^2, a third of the area of each adjacent triangle
     int triangles = 0;                 ///< number of adjacent triangles
-    std::array<Index, 2> first_two{};  ///< numbers of the first two of these
+    std::array<Index, 2> first_two{};  ///< numbers of the first two adjacent triangles
 };
 
 /// The edges of triangles with the given areas (m^2), each once, in ascending order of their ends.

@@ -9,11 +9,11 @@
 namespace sherd {
 namespace {
 
-/// The triangle's frame: along the lip, in the plane out of the triangle, and normal to both.
+/// Frame of the triangle: along the crack face (lip), in the plane out of the triangle, and normal to both.
 struct LipFrame {
     Vector3d along, out, normal;
-    double length, height;  ///< m, length of the lip, and height of the triangle on it
-    double foot;            ///< projection of the apex on the lip: 0 at its start, 1 at its end
+    double length, height;  ///< m, length of the crack face, and height of the triangle on it
+    double foot;            ///< projection of the apex on the crack face: 0 at its start, 1 at its end
 };
 
 LipFrame lip_frame(const PairPositions& x) {
@@ -38,7 +38,7 @@ double lip_opening(const PairPositions& x) {
 PairPositions lip_opening_gradient(const PairPositions& x) {
     const LipFrame frame = lip_frame(x);
     const Vector3d gap = x.col(0) - x.col(1);
-    // `out` rotates in the plane with the lip, and out of the plane when the apex leaves it.
+    // `out` rotates in the plane with the crack face, and out of the plane when the apex leaves it.
     const Vector3d turn = gap.dot(frame.along) / frame.length * frame.out;
     const Vector3d fold = gap.dot(frame.normal) / frame.height * frame.normal;
     PairPositions gradient;
@@ -55,8 +55,8 @@ PairHessian lip_opening_hessian(const PairPositions& x) {
     const Vector3d gap = x.col(0) - x.col(1);
     const double across = gap.dot(frame.out) / 2, along = gap.dot(frame.along), above = gap.dot(frame.normal);
     const double l = frame.length, h = frame.height;
-    // These linear forms of the vertices' motion give the components, in the frame, of the motion of the
-    // vertex, the lip's end and the apex relative to the points of the triangle that they are measured from.
+    // Linear forms of the vertices' motion: the components, in the frame, of the motion of the vertex, the
+    // crack face's end and the apex relative to the points of the triangle that they are measured from.
     const auto form = [](const Eigen::Vector4d& weights, const Vector3d& direction) -> PairVector {
         return (direction * weights.transpose()).reshaped();
     };

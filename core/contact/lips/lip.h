@@ -8,14 +8,15 @@
 
 namespace sherd {
 
-/// A vertex on one lip of a crack and a triangle of the other lip, vertices 0 | 1 2 3; the lip is the
-/// triangle's side from 1 to 2.
+/// A vertex on one face of a crack (lip) and a triangle at the opposite face, vertices 0 | 1 2 3; that face
+/// is the triangle's side from 1 to 2.
 struct LipStencil {
     std::array<Index, 4> vertices;
     double stiffness;  ///< N/m
 };
 
-/// Distance of the vertex from the lip in the triangle's plane, m; negative when they overlap.
+/// Distance of the vertex from the opposite crack face in the triangle's plane, m; negative when they
+/// overlap.
 double lip_opening(const PairPositions& x);
 /// d(opening)/dx, [3, 4]. Its columns sum to zero and exert no net torque.
 PairPositions lip_opening_gradient(const PairPositions& x);
@@ -26,10 +27,10 @@ PairHessian lip_opening_hessian(const PairPositions& x);
 /// positions.
 double value(const LipStencil& lip, const PairPositions& x);
 PairPositions gradient(const LipStencil& lip, const PairPositions& x);
-/// `convex` leaves the Gauss-Newton part alone.
+/// d2E/dx2, N/m; with `convex` its Gauss-Newton part only.
 PairHessian hessian(const LipStencil& lip, const PairPositions& x, bool convex);
 
-/// The lips of a shell's cracks.
+/// The crack faces of a shell, as elements.
 struct LipElements {
     const std::vector<LipStencil>* lips;  ///< must outlive this object
 
@@ -44,7 +45,7 @@ struct LipElements {
     }
 };
 
-/// Keeps the lips of a crack apart as long as they are too close for SheetContact.
+/// Contact of crack faces that are still too close for SheetContact.
 class LipContact : public ElementEnergy<LipElements> {
   public:
     /// The stencils must outlive this object.

@@ -8,10 +8,10 @@
 
 namespace sherd {
 
-/// VertexContact of the shell and an obstacle in one step, with the obstacle where it is at the step's end.
+/// VertexContact of the shell and an obstacle in one step, with the obstacle's pose at the step's end.
 class ObstacleContact : public Energy {
   public:
-    /// Shell and obstacle must outlive this object. number: of the obstacle.
+    /// Shell and obstacle must outlive this object. number: of the obstacle in Shell::start_depths.
     ObstacleContact(const Shell& shell, const Obstacle& obstacle, std::size_t number = 0)
         : shell(shell), obstacle(obstacle), contact(shell, obstacle, number) {}
     void begin(const StepContext& step) override;
@@ -24,7 +24,7 @@ class ObstacleContact : public Energy {
     /// Elastic energy stored in the contacts, J, at x and at the beginning of the step.
     double stored_energy(const Positions& x) const { return stored_energy(x, pose); }
     double stored_at_start() const { return stored_energy(shell.position, before); }
-    /// What friction takes in the step that ends at x, J.
+    /// Energy dissipated by friction in the step that ends at x, J.
     double friction_loss(const Positions& x) const;
     /// Adds the obstacle's forces on the shell at x.
     void add_reaction(const Positions& x, Reaction& reaction) const;
@@ -43,8 +43,8 @@ class ObstacleContact : public Energy {
 
     const Shell& shell;
     const Obstacle& obstacle;
-    VertexContact contact;           ///< its anchors are in space
-    StickMemory<Index> held;         ///< since the last step that was finished
+    VertexContact contact;           ///< anchors in space
+    StickMemory<Index> held;         ///< elastic slip at the end of the last finished step
     Eigen::Isometry3d before, pose;  ///< at the beginning and at the end of the step
 };
 

@@ -8,7 +8,7 @@
 namespace sherd {
 
 /// The energy of a contact at a point, with derivatives by the point's position. The opposite force acts on
-/// what the point touches.
+/// the collider that the point touches.
 struct PointForce {
     double value;       ///< J
     Vector3d gradient;  ///< N
@@ -23,7 +23,7 @@ inline PointForce spring(const Overlap& at, double stiffness, Curvature curvatur
     return force;
 }
 
-/// A point that touched something at the beginning of the step, with its friction in the step.
+/// A point that touched a collider at the beginning of the step, with its friction in the step.
 struct SlidingPoint {
     Vector3d anchor;  ///< m, position of the point if it sticks, in a frame that the owner chooses
     Vector3d normal;  ///< in space, of unit length
@@ -35,7 +35,7 @@ struct SlidingPoint {
         const Matrix3d tangent = Matrix3d::Identity() - normal * normal.transpose();
         return {friction.value(slip), friction.gradient(slip), friction.hessian(slip, tangent)};
     }
-    /// What the next step holds of the slip when the point is at x (m); anchor: in space.
+    /// Elastic slip for the next step (Friction::held_after()) when the point is at x (m); anchor: in space.
     Vector3d held_after(const Vector3d& x, const Vector3d& anchor) const {
         return friction.held_after(along(x - anchor));
     }
@@ -44,9 +44,9 @@ struct SlidingPoint {
     Vector3d along(const Vector3d& way) const { return way - normal * normal.dot(way); }
 };
 
-/// A point that overlaps a collider, with Coulomb's friction for the force of the spring there. turn: applied
-/// to the normal, which sampled shapes give with a length near one only, and to what is held (StickMemory);
-/// length: s, of the step.
+/// Friction of a point that overlaps a collider, with the spring's force there as normal force. turn:
+/// rotation applied to the normal, whose length sampled shapes give only near one, and to the elastic slip
+/// `held` (StickMemory); length: s, of the step.
 inline SlidingPoint sliding_point(const Vector3d& anchor, const Overlap& at, const Matrix3d& turn,
                                   double coefficient, double stiffness, double length, const Vector3d& held) {
     const double norm = at.normal.norm(), smoothing = smoothing_speed * length;

@@ -15,15 +15,14 @@
 namespace sherd {
 
 /// Contact of the shell's vertices with one collider, active within half the thickness. The caller gives the
-/// collider's pose.
-/// The stiffness depends on the two materials, not on mesh or time step: each vertex is a column of sheet
-/// whose height is the thickness, whose cross-section is the vertex's footprint and whose Young's modulus is
-/// that of sheet and collider in series: k = footprint / thickness / (1/Y_sheet + 1/Y_collider). The
-/// footprint is the vertex's share of the sheet's area plus, on the rim, the thickness times its share of the
-/// rim: on any mesh a sheet that lands flat feels a pressure of Y d / t, one that lands on its edge a line
-/// force of Y d. Friction is Coulomb's with the normal forces of the beginning of the step, on the slip along
-/// the collider, with what a vertex that sticks holds of it from step to step (a potential in the
-/// displacement of the step, so that Newton's method sees one function).
+/// collider's pose. The stiffness depends on the two materials, not on mesh or time step: each vertex is a
+/// column of sheet whose height is the thickness, whose cross-section is the vertex's footprint and whose
+/// Young's modulus is that of sheet and collider in series: k = footprint / thickness / (1/Y_sheet +
+/// 1/Y_collider). The footprint is the vertex's share of the sheet's area plus, on the rim, the thickness
+/// times its share of the rim: on any mesh a sheet that lands flat bears a pressure of Y d / t, and one that
+/// lands on its edge a line force of Y d. Friction is Coulomb's with the normal forces of the beginning of
+/// the step, on the slip along the collider plus the elastic slip of vertices that stick (a potential in the
+/// displacement of the step, so that Newton's method minimises one function).
 class VertexContact {
   public:
     /// Shell and collider must outlive this object. number: of the collider in shell.start_depths.
@@ -32,7 +31,7 @@ class VertexContact {
 
     /// Records which vertices touch the collider, whose pose is `pose`, at the beginning of the step.
     /// anchor(x): the anchor (see SlidingPoint) of a vertex at x. turn: the collider's rotation in the step,
-    /// applied to normals. length: s. held: by vertices, in space.
+    /// applied to normals. length: s. held: elastic slip of vertices, in space.
     template <class Anchor>
     void begin(const Eigen::Isometry3d& pose, const Matrix3d& turn, double length,
                const StickMemory<Index>& held, Anchor anchor) {
@@ -63,7 +62,7 @@ class VertexContact {
             add(vertex, point.force(x.col(vertex), anchor), anchor);
         }
     }
-    /// What vertices hold after the step that ends at x; frame: see add_friction().
+    /// Stores the elastic slip of vertices after the step that ends at x; frame: see add_friction().
     void hold(const Positions& x, const Eigen::Isometry3d& frame, StickMemory<Index>& held) const {
         held.clear();
         for (const auto& [vertex, point] : sliding)
@@ -81,14 +80,15 @@ class VertexContact {
                 largest = std::max(largest, stiffness(v) / shell.mass[v]);
         return largest;
     }
-    /// The sum of the stiffnesses, N/m, of these contacts.
+    /// Sum of the stiffnesses, N/m, of the contacts of the vertices of x that are within `margin` (m) of the
+    /// collider.
     double total_stiffness(const Positions& x, const Eigen::Isometry3d& pose, double margin) const {
         double sum = 0;
         for (Index v = 0; v < static_cast<Index>(x.cols()); ++v)
             if (overlap(x, v, pose, margin).depth > 0) sum += stiffness(v);
         return sum;
     }
-    /// Overlap of a vertex with the collider beyond what there is since the start; margin: m, added to half
+    /// Overlap of a vertex with the collider beyond the exempt overlap of the start; margin: m, added to half
     /// the thickness.
     Overlap overlap(const Positions& x, Index vertex, const Eigen::Isometry3d& pose,
                     double margin = 0) const {

@@ -16,13 +16,13 @@ namespace sherd {
 class SheetContact : public Energy {
   public:
     /// The shell must outlive this object. sheets_meet: whether elements of sheets collide with each other.
-    /// springs: see ContactSurface. threads: who shares the search for pairs and their forces.
+    /// springs: see ContactSurface. threads: share the search for pairs and the computation of forces.
     explicit SheetContact(const Shell& shell, std::vector<Obstacle> obstacles = {}, bool sheets_meet = true,
                           bool springs = false, Threads threads = Threads());
     /// Places the colliders; energies are evaluated with them at the end of the step.
     void begin(const StepContext& step) override;
     void topology_changed(const ShellChange& change, const StepContext& step) override;
-    /// The shell has changed, or has other lips.
+    /// Must be called when the shell, or its exempt vertices (twins), have changed.
     void surface_changed(const ShellChange& change);
 
     double value(const Positions& x) const override;
@@ -42,7 +42,7 @@ class SheetContact : public Energy {
     Positions pushed_along(const Positions& x) const;
 
     const ContactSurface& surface() const { return near.surface(); }
-    /// The obstacle that a vertex of colliders, as surface() numbers it, belongs to.
+    /// Number of the obstacle to which a vertex of colliders, numbered as in surface(), belongs.
     std::size_t obstacle_number(Index vertex) const { return obstacle_of[surface().collider_number(vertex)]; }
     /// The colliders' vertices at the end of the step, or at its beginning, followed by x [3, V], as
     /// surface() numbers them, [3, surface().vertices()].
@@ -53,13 +53,14 @@ class SheetContact : public Energy {
     const std::vector<ContactPair>& active_pairs(const Positions& x) const {
         return near.active_pairs(at_end(x));
     }
-    /// The same at what at_end() has answered.
+    /// Active pairs at positions that at_end() has returned.
     const std::vector<ContactPair>& active_pairs_of(const Positions& all) const {
         return near.active_pairs(all);
     }
-    /// A superset of these and of all pairs that are nearer than a tenth of the thinnest sheet's thickness.
+    /// A superset of the active pairs and of all pairs that are nearer than a tenth of the thinnest sheet's
+    /// thickness.
     std::vector<ContactPair> pairs_nearby(const Positions& x) const { return near.pairs_nearby(at_end(x)); }
-    /// The same as active_pairs(), with the colliders where they are at the beginning of the step.
+    /// Active pairs at x, with the colliders at the beginning of the step.
     const std::vector<ContactPair>& active_pairs_at_start(const Positions& x) const {
         return near.active_pairs(with(start, x));
     }
@@ -71,7 +72,7 @@ class SheetContact : public Energy {
     void add_reactions(const Positions& x, std::span<Reaction> of_obstacles) const {
         add_reactions(pairs_at(at_end(x)), x, of_obstacles);
     }
-    /// The same of the forces of other elements on the vertices of surface().
+    /// Adds the forces of other elements on the vertices of surface() to the reactions.
     template <class Elements>
     void add_reactions(const Elements& elements, const Positions& x, std::span<Reaction> of_obstacles) const {
         const Index first = surface().collider_vertices();
@@ -85,9 +86,9 @@ class SheetContact : public Energy {
                 if (vertices[v] >= 0) reaction.add(x.col(vertices[v]), -gradient.col(v));
         }
     }
-    /// Work, J, in the step, of the obstacles that deform on the shell at x: of the forces on their vertices.
+    /// Work, J, of deforming obstacles on the shell at x in the step, from the forces on their vertices.
     double work_of_deforming(const Positions& x) const { return work_of_deforming(pairs_at(at_end(x)), x); }
-    /// The same of the forces of other elements on the vertices of surface().
+    /// Work, J, in the step, of the forces of other elements on the vertices of deforming obstacles.
     template <class Elements>
     double work_of_deforming(const Elements& elements, const Positions& x) const {
         double sum = 0;
@@ -102,7 +103,7 @@ class SheetContact : public Energy {
         }
         return sum;
     }
-    /// m, of a vertex of colliders in the step.
+    /// Displacement, m, of a vertex of colliders in the step.
     Vector3d way_of_collider(Index vertex) const { return end.col(vertex) - start.col(vertex); }
     /// Adds the vertices that touch colliders at x, and the surfaces of these colliders.
     void add_touched(const Positions& x, std::set<Index>& vertices,
@@ -112,16 +113,16 @@ class SheetContact : public Energy {
     /// Throws std::runtime_error, with the vertices of the first pair, if any pair is closer than its minimum
     /// at the beginning of the step, where the shell is at x.
     void require_apart(const Positions& x) const;
-    /// Whether pairs that are springs could be barriers with the shell at x at the end of the step.
+    /// Whether pairs that are springs could be barriers, with the shell at x at the end of the step.
     bool leaves_room_for_barriers(const Positions& x) const {
         return near.leave_room_for_barriers(at_end(x));
     }
-    /// See NearPairs; colliders are where they are at the beginning of the step.
+    /// See NearPairs; colliders are at the beginning of the step, or at its end.
     double least_share_at_start(const Positions& x) const { return near.least_share(with(start, x)); }
     double least_share_at_end(const Positions& x) const { return near.least_share(with(end, x)); }
     void set_firmness(Firmness firmness) { near.set_firmness(firmness); }
-    /// Whether sheets pass through each other, or through a collider, in the step, which begin() has been
-    /// told of: the shell moves straight from x, colliders as they are told.
+    /// Whether sheets pass through each other, or through a collider, in the step of the last begin(). The
+    /// shell moves straight from x, colliders by their prescribed motion.
     bool passes(const StepContext& step, const Positions& x, const Positions& end_of_shell) const;
     void visit_state(StateVisitor& visit) override {
         auto& [shell, threads, obstacles, obstacle_of, colliders, near, start, end, whole] = *this;
@@ -158,7 +159,7 @@ class SheetContact : public Energy {
     const Shell& shell;
     Threads threads;
     std::vector<Obstacle> obstacles;
-    std::vector<std::size_t> obstacle_of;  ///< of each collider
+    std::vector<std::size_t> obstacle_of;  ///< number of each collider's obstacle
     std::vector<ContactCollider> colliders;
     NearPairs near;
     Positions start, end;     ///< m, [3, S], vertices of all colliders in their order

@@ -7,7 +7,7 @@
 
 namespace sherd {
 
-/// Which elements are in contact.
+/// Key of two elements in contact.
 struct PairKey {
     PairKind kind = PairKind::vertex_triangle;
     std::array<Index, 4> vertices{};
@@ -23,7 +23,7 @@ struct SlidingPair {
     Matrix3d tangent;                   ///< projection to the plane of sliding
     Friction friction;
 
-    // These take the vertices' displacements, [3, 4] m.
+    // moved: displacements of the vertices in the step, [3, 4] m.
     double value(const PairPositions& moved) const { return friction.value(slip * moved.reshaped()); }
     PairPositions gradient(const PairPositions& moved) const;
     PairHessian hessian(const PairPositions& moved) const;
@@ -45,8 +45,8 @@ SlidingPair sliding_pair(const ContactPair& pair, const PairPositions& x, double
 struct SlidingPairs {
     std::vector<SlidingPair> pairs;  ///< numbered as in SheetContact::surface()
     Index first = 0;                 ///< number of the first vertex of sheets
-    Positions start;                 ///< m, [3, S + V], of the vertices of colliders and sheets
-    Positions colliders;             ///< m, [3, S], displacements of the colliders' vertices
+    Positions start;      ///< m, [3, S + V], vertices of colliders and sheets at the beginning of the step
+    Positions colliders;  ///< m, [3, S], displacements of the colliders' vertices
 
     std::size_t size() const { return pairs.size(); }
     std::array<Index, 4> vertices(std::size_t i) const { return numbered_from(pairs[i].vertices, first); }
@@ -72,11 +72,11 @@ class SheetFriction : public ElementEnergy<SlidingPairs> {
     void begin(const StepContext& step) override;
     void finish(const Positions& x);
     Task task() const override { return Task::contact; }
-    // Its pairs may change with every step, so none is part of the fixed pattern.
+    // Pairs may change with every step, so none is part of the fixed pattern.
     void add_pattern(std::vector<std::pair<Index, Index>>&) const override {}
     void add_contacts(const Positions& x, bool ahead,
                       std::vector<std::pair<Index, Index>>& pairs) const override;
-    /// What friction takes in the step that ends at x, J.
+    /// Energy dissipated by friction in the step that ends at x, J.
     double friction_loss(const Positions& x) const;
     void add_reactions(const Positions& x, std::span<Reaction> of_obstacles) const {
         contact.add_reactions(elements, x, of_obstacles);
@@ -94,7 +94,7 @@ class SheetFriction : public ElementEnergy<SlidingPairs> {
     const Shell& shell;
     const SheetContact& contact;
     double coefficient;
-    StickMemory<PairKey> held;  ///< since the last step that was finished
+    StickMemory<PairKey> held;  ///< elastic slip at the end of the last finished step
 };
 
 }  // namespace sherd

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files that hold all frames, read back byte by byte: pc2, mdd, glb.
+// Files with all frames, read back byte by byte: pc2, mdd, glb.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// The vertex of the frame that a vertex of the last frame was split from, by the recorded splits.
+/// Vertex of the frame from which a vertex of the last frame was split, by the recorded splits.
 Index ancestor(const SyntheticRun& run, Index vertex, std::size_t frame) {
     std::map<Index, Index> parent;
     for (const CrackEvents& events : run.events)
@@ -23,7 +23,7 @@ Index ancestor(const SyntheticRun& run, Index vertex, std::size_t frame) {
     return vertex;
 }
 
-/// Where the last frame's vertices are in each frame.
+/// Positions of the last frame's vertices in each frame.
 std::vector<Cloud> expected_clouds(const SyntheticRun& run) {
     std::vector<Cloud> clouds;
     for (std::size_t k = 0; k < run.frames.size(); ++k) {
@@ -34,7 +34,7 @@ std::vector<Cloud> expected_clouds(const SyntheticRun& run) {
     return clouds;
 }
 
-/// Options by which the synthetic run's frames, 0.1 s apart, are the samples of a cache.
+/// Options that make the synthetic run's frames, 0.1 s apart, the samples of a cache.
 ExportOptions of_frames(ExportOptions options) {
     options.slow = {1, 10};
     return options;
@@ -76,7 +76,7 @@ TEST_F(Export, MddIsBigEndianAndKnowsTheTimes) {
     EXPECT_TRUE(mdd.at_end());
 }
 
-// A cache is played at its rate: between frames there is the straight line from one to the next.
+// A cache is played at its rate: between frames positions are linear.
 TEST_F(Export, CachesAreSlowMotion) {
     ExportOptions wanted = options("pc2", "out.pc2");
     EXPECT_EQ(export_recording(wanted).pace,
@@ -115,7 +115,7 @@ TEST_F(Export, SolidCachesFitTheirSolidMesh) {
     EXPECT_EQ(bytes("out.pc2").size(), 32 + 3 * 12 * mesh.number_of_vertices());
 }
 
-// One file in the way is looked for before anything is written; here it is the mesh of the cache.
+// Existing files are checked before anything is written; here it is the mesh of the cache.
 TEST_F(Export, CacheKeepsAMeshThatIsThere) {
     folder.write("out.obj", "the only copy");
     const auto before = folder.contents();
@@ -123,7 +123,7 @@ TEST_F(Export, CacheKeepsAMeshThatIsThere) {
     EXPECT_EQ(folder.contents(), before);
 }
 
-/// Whether each edge is walked through once in each direction. Points at one place are one.
+/// Whether each edge occurs once in each direction, with coincident points counted as one.
 bool is_closed(const std::vector<std::uint32_t>& indices, const Cloud& points) {
     std::map<std::array<float, 3>, std::uint32_t> joint;
     const auto number = [&](std::uint32_t i) {
@@ -138,7 +138,7 @@ bool is_closed(const std::vector<std::uint32_t>& indices, const Cloud& points) {
     });
 }
 
-/// Where the recorded corners of a fragment of the last frame are in a frame, face by face.
+/// Positions of the recorded corners of a fragment of the last frame in a frame, face by face.
 Cloud corners(const SyntheticRun& run, Index fragment, std::size_t frame) {
     Cloud cloud;
     for (std::size_t f = 0; f < run.frames.back().faces.size(); ++f)
@@ -153,7 +153,7 @@ void expect_near(const Cloud& found, const Cloud& expected) {
     for (std::size_t i = 0; i < found.size(); ++i) EXPECT_LT((found[i] - expected[i]).norm(), 1e-6F);
 }
 
-/// Turns and moves all that is there, further from frame to frame.
+/// Rotates and moves everything, farther from frame to frame.
 void set_in_motion(SyntheticRun& run) {
     for (std::size_t k = 0; k < run.frames.size(); ++k) {
         const double angle = 1.9 * static_cast<double>(k);
@@ -219,7 +219,8 @@ TEST_F(Export, GlbMorphsThroughTheRecordedShapes) {
     }
 }
 
-// What the format asks for and readers stumble over: bounds, unit normals, indices that exist, rising times.
+// Requirements of the format on which readers depend: bounds, unit normals, indices in range, increasing
+// times.
 TEST_F(Export, GlbIsWellFormed) {
     for (const std::string animate : {"rigid", "morph"})
         for (const bool solid : {false, true}) {

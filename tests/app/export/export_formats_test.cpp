@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The last frame's strain of a face, found by walking over all edges.
+/// Strain of a face in a frame, found by a search over all edges.
 double strain_of(const Snapshot& frame, std::size_t face) {
     const std::set<Index> corners(frame.faces[face].begin(), frame.faces[face].end());
     double strain = 0;
@@ -27,7 +27,7 @@ double strain_of(const Snapshot& frame, std::size_t face) {
     return strain;
 }
 
-/// The property `quality` of the faces of a PLY file of ours.
+/// Property `quality` of the faces of a PLY file written by Sherd.
 std::vector<double> quality_of(const std::string& ply, std::size_t vertices, std::size_t faces) {
     const std::string end = "end_header\n";
     Bytes bytes(ply, ply.find(end) + end.size());
@@ -63,7 +63,7 @@ void expect_arrays_of(const std::string& vtp, const Snapshot& frame) {
     }
 }
 
-// MeshLab shows a property of this name; under another name nobody sees it.
+// MeshLab shows a property of this name only.
 TEST_F(Export, PlyHasStrainOrAnotherScalarAsQuality) {
     const Snapshot& frame = run.frames[2];
     const auto quality = [&](const std::string& name) {
@@ -112,7 +112,7 @@ TEST_F(Export, StlFragmentsAreFiles) {
     EXPECT_EQ(read("pieces/run_000002_fragment_002.stl").number_of_faces(), 48u);
 }
 
-// tests/partners/check_pvd.py lets ParaView read it; here: every frame is named, with its time.
+// tests/partners/check_pvd.py lets ParaView read it; here: every frame must be listed, with its time.
 TEST_F(Export, PvdNamesAFileForEachFrame) {
     const auto files = export_recording(options("pvd", "out.pvd")).files;
     ASSERT_EQ(files.size(), 4u);
@@ -126,7 +126,7 @@ TEST_F(Export, PvdNamesAFileForEachFrame) {
     EXPECT_NE(index.find("timestep=\"0.10000000000000001\""), std::string::npos);
 }
 
-// Arrays of several of zlib's blocks, of which the last one is full or not: ParaView would show noise, or
+// Arrays of several zlib blocks, the last of which is full or not: otherwise ParaView would show noise, or
 // nothing.
 TEST_F(Export, VtpHoldsArraysOfAnyLength) {
     Snapshot frame = run.frames[2];
@@ -149,7 +149,7 @@ TEST_F(Export, SolidsAreClosedBodiesOnePerFragment) {
     }
 }
 
-// The recording of an earlier version has no thickness: the user can say it.
+// Recordings of earlier versions have no thickness: the user can give it.
 TEST_F(Export, ThicknessComesFromTheRecordingOrTheUser) {
     run.header.rest_thickness.clear();
     set_rest(run);
@@ -197,7 +197,7 @@ TEST_F(Export, RefusesOptionsThatTheFormatDoesNotKnow) {
     EXPECT_EQ(folder.contents(), before);
 }
 
-/// What export_recording() says after Ctrl-C, as an exit code.
+/// Exit code of export_recording() after Ctrl-C.
 int exit_code_after_interruption(const ExportOptions& options) {
     watch_for_interruption();
     std::raise(SIGINT);
@@ -217,7 +217,7 @@ TEST_F(Export, EndsCleanlyOnCtrlC) {
     for (const auto& [file, content] : folder.contents()) EXPECT_FALSE(file.ends_with(".part"));
 }
 
-// Each face has the number that `sherd info` names it by.
+// Each face has the number by which `sherd info` names it.
 TEST_F(Export, PlyHasTheLargestStressAndCurvature) {
     add_fields(run);
     record(run, folder.path / "fields.h5");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Who goes on with the fragments in another engine trusts these numbers: a body with a wrong spin flies apart
-// otherwise than it did here.
+// Other engines continue the motion of fragments from these numbers: a body with a wrong spin would fly apart
+// differently.
 #include <Eigen/Geometry>
 
 #include "app/export/fragment_motion.h"
@@ -11,7 +11,7 @@
 namespace sherd::test {
 namespace {
 
-/// Two tetrahedra's surfaces, the second of which flies and spins.
+/// Surfaces of two tetrahedra, the second of which flies and spins.
 Snapshot two_rigid_pieces(const Vector3d& velocity, const Vector3d& spin) {
     Snapshot frame;
     frame.position.resize(3, 8);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Obstacles and free bodies in every format, read back: what shards lie on and are hit by must be where it
-// was.
+// Obstacles and free bodies in every format, read back: fragments must lie on them and be hit by them in the
+// right place.
 #include "app/export/export_obstacles.h"
 
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 
 const std::vector<std::string> names{"obstacle_a_b__anvil_", "obstacle_a_b__anvil__2", "obstacle_floor"};
 
-/// A recording with two tetrahedra, of which the second one moves, and a floor, beside one without.
+/// Recording with two tetrahedra, the second of which moves, and a floor, beside a recording without any.
 class ExportObstacles : public Export {
   protected:
     ExportObstacles() { record_with_obstacles(run, folder.path / "with.h5"); }
@@ -39,7 +39,8 @@ class ExportObstacles : public Export {
         return wanted;
     }
 
-    /// Without obstacles every format is as of a recording that has none; glb has the recording's name in it.
+    /// Expects that every format without obstacles equals that of a recording without any, except for the
+    /// recording's name in glb.
     void expect_left_out(ExportOptions wanted, const std::string& extension) const {
         wanted.sheets_only = true;
         wanted.output = folder.path / ("left_out" + extension);
@@ -64,7 +65,7 @@ void expect_points(const Mesh& mesh, const std::vector<Vector3d>& expected) {
     }
 }
 
-/// Each object of an OBJ file: its points, and the corners of its faces, counted in the file from 0.
+/// Object of an OBJ file: its points, and the corners of its faces, numbered in the file from 0.
 struct ObjObject {
     std::vector<Vector3d> points;
     std::vector<std::array<int, 3>> faces;
@@ -87,7 +88,7 @@ std::map<std::string, ObjObject> objects_of(const fs::path& file) {
     return objects;
 }
 
-// In Blender they are what can be hidden and moved alone; the sheets keep their numbers.
+// Blender hides and moves objects singly; the sheets must keep their numbers.
 TEST_F(ExportObstacles, AreObjectsOfAnObj) {
     ExportOptions wanted = with("obj", "out.obj");
     export_recording(wanted);
@@ -112,7 +113,7 @@ TEST_F(ExportObstacles, AreObjectsOfAnObj) {
     expect_left_out(with("obj", ""), ".obj");
 }
 
-// A format of one mesh a file would fuse them with the sheets.
+// A format with one mesh in a file would merge them with the sheets.
 TEST_F(ExportObstacles, AreFilesOfTheirOwnInPlyAndStl) {
     ExportOptions wanted = with("ply", "out.ply");
     wanted.frames = "0,2";
@@ -130,7 +131,8 @@ TEST_F(ExportObstacles, AreFilesOfTheirOwnInPlyAndStl) {
     expect_left_out(with("stl", ""), ".stl");
 }
 
-// Between the keys, too, they are where pictures and pages show them; what rests has no animation.
+// Between the keys, too, they must be where pictures and pages show them; obstacles at rest have no
+// animation.
 TEST_F(ExportObstacles, AreNodesOfAGlbThatMove) {
     export_recording(with("glb", "out.glb"));
     const Glb glb(bytes("out.glb"));
@@ -186,7 +188,7 @@ TEST_F(ExportObstacles, KeepSharpEdgesInAGlb) {
     EXPECT_EQ(corners(5), 4u);
 }
 
-// Whoever goes on in another engine needs what the fragments lie on.
+// Other engines need the obstacles on which fragments lie.
 TEST_F(ExportObstacles, AreInTheTableOfFragments) {
     ExportOptions wanted = with("fragments", "pieces.csv");
     wanted.thickness = 0.002;
@@ -208,7 +210,7 @@ std::vector<double> numbers_of(const std::vector<Vector3d>& points) {
     return numbers;
 }
 
-// ParaView shows the parts of one time together; what rests is written once.
+// ParaView shows the parts of one time together; obstacles at rest are written once.
 TEST_F(ExportObstacles, ArePartsOfAPvd) {
     const auto files = export_recording(with("pvd", "out.pvd")).files;
     ASSERT_EQ(files.size(), 3 + 3 + 2 + 1u);
@@ -232,7 +234,8 @@ TEST_F(ExportObstacles, ArePartsOfAPvd) {
     expect_left_out(with("pvd", ""), ".pvd");
 }
 
-// A cache goes with one mesh: that of the sheets is as without obstacles, and what moves has its own.
+// A cache belongs to one mesh: that of the sheets must be as without obstacles, and moving obstacles have
+// their own.
 TEST_F(ExportObstacles, HaveMeshesAndCachesOfTheirOwn) {
     ExportOptions wanted = with("pc2", "out.pc2");
     wanted.slow = {1, 20};  // twice as many samples as frames
@@ -257,7 +260,7 @@ TEST_F(ExportObstacles, HaveMeshesAndCachesOfTheirOwn) {
     expect_left_out(with("pc2", ""), ".pc2");
 }
 
-// Grids that are hollow, or stand where the obstacle is not, let smoke through it.
+// Hollow or misplaced grids would let smoke through the obstacle.
 TEST_F(ExportObstacles, AreGridsOfAVdb) {
     const ExportReport report = export_recording(with("vdb", "out.vdb"));
     EXPECT_TRUE(report.warnings.empty()) << report.warnings.front();
@@ -284,7 +287,7 @@ TEST_F(ExportObstacles, AreGridsOfAVdb) {
     expect_left_out(with("vdb", ""), ".vdb");
 }
 
-/// A sheet in the air, with a floor, a box that moves by keys and a free ball away from it.
+/// Sheet in the air, with a floor, a box that moves by keys and a free ball away from it.
 const std::string falling = R"(duration = 0.002
 [sheet.plate]
 mesh = { generate = "rectangle", width = 0.1, height = 0.1, edge_length = 0.02 }
@@ -305,7 +308,7 @@ step = 1e-3
 every = 1e-3
 )";
 
-// What the program itself runs and exports, from end to end.
+// Runs and exports through the real program.
 TEST(ExportedRun, HasItsObstaclesWhereTheyWere) {
     const TemporaryDirectory folder;
     folder.write("scene.toml", falling);
@@ -333,7 +336,7 @@ TEST(ExportedRun, HasItsObstaclesWhereTheyWere) {
     EXPECT_EQ(alone.at("").points, objects["sheets"].points);
 }
 
-// OpenVDB would fill what is open from outside, or nothing.
+// OpenVDB would fill an open surface from outside, or not at all.
 TEST_F(ExportObstacles, ThatAreOpenHaveNoGrid) {
     {
         RecordedObstacle open = tetrahedron();

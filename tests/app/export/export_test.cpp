@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using Numbers = std::vector<std::size_t>;
 
-/// Faces of each `o` of an OBJ file.
+/// Number of faces of each `o` of an OBJ file.
 std::map<std::string, int> object_faces(const fs::path& file) {
     std::ifstream stream(file);
     std::map<std::string, int> faces;
@@ -90,7 +90,7 @@ TEST_F(Export, WritesBesideTheRecordingByDefault) {
     EXPECT_EQ(export_recording(wanted).files, std::vector<fs::path>{folder.path / "run.ply"});
 }
 
-// One file in the way of a long sequence must stop it before the first file, not in the middle.
+// A single existing file must stop a long sequence before its first file, not in the middle.
 TEST_F(Export, KeepsWhatIsThereUnlessForced) {
     folder.write("out_000002.obj", "the only copy");
     const auto before = folder.contents();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a journaled file is after the program, or the machine, has ended at any moment: what was committed
-// last.
+// After an end of the program, or the machine, at any moment, a journaled file must have its last committed
+// content.
 #include "app/files/journaled_file.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ std::string content(const ByteFile& file) {
     return bytes;
 }
 
-/// Some change as HDF5 makes them, of a file and of a string.
+/// Makes a random change as HDF5 does, to a file and to a string.
 void change(JournaledFile& file, std::string& same, std::mt19937& random) {
     if (random() % 8 == 0) {
         const std::size_t size = random() % (same.size() + 700);
@@ -48,7 +48,7 @@ void change(JournaledFile& file, std::string& same, std::mt19937& random) {
     same.replace(offset, bytes.size(), bytes);
 }
 
-/// A file that is changed several times, with all that the system was asked for.
+/// File that is changed several times, with all system calls.
 struct History {
     explicit History(unsigned seed, bool with_reader) {
         std::mt19937 random(seed);
@@ -88,7 +88,7 @@ struct History {
         states.push_back(state);
     }
 
-    /// The number of the last state that was committed before a call.
+    /// Number of the last state that was committed before a call.
     std::size_t committed(std::size_t call) const {
         return static_cast<std::size_t>(
             std::ranges::count_if(done, [&](std::size_t i) { return i <= call; }));
@@ -99,16 +99,15 @@ struct History {
     std::vector<std::string> states;
     std::vector<SystemCall> made;
     std::size_t opened = 0;
-    std::vector<std::size_t> done;  ///< how many calls there were at the end of each commit
+    std::vector<std::size_t> done;  ///< number of calls at the end of each commit
 };
 
-/// What is in a folder after an end before the call of this number: one of two states, for readers and for
-/// who mends it.
+/// Expects one of two states after an end before the call of this number, for readers and after repair.
 void expect_one_of(const History& history, std::size_t call, const fs::path& file) {
     const std::size_t last = history.committed(call);
     const std::string read = content(OverlaidFile(file, {}));
     const bool is_next = last + 1 < history.states.size() && read == history.states[last + 1];
-    // Before the first journal there was no end of the file to cut it off at, and nothing behind it.
+    // Before the first journal its file length is unknown, but nothing follows the end.
     ASSERT_TRUE(is_next || read == history.states[last])
         << "at call " << call << " of " << history.made.size();
     mend(file);
@@ -143,7 +142,7 @@ TEST(LongJournaledFile, IsWhatWasCommittedLastAfterAnyEnd) {
     for (unsigned seed = 100; seed < 100 + seeds; ++seed) expect_survives(seed, seed % 2 == 1, 12);
 }
 
-// A writer goes on where another one was ended, and may be ended, too.
+// A writer must continue where another one was ended, and may be ended, too.
 TEST(JournaledFile, GoesOnAfterAnyEnd) {
     const History history(3, true);
     std::mt19937 random(3);
@@ -164,7 +163,7 @@ TEST(JournaledFile, GoesOnAfterAnyEnd) {
     }
 }
 
-/// What becomes of a file that is changed until a call fails, and once more.
+/// File that is changed until a call fails, and once more.
 struct Failure {
     Failure(std::size_t failing, int reason) {
         const fs::path file = folder.write("run.h5", states.back());
@@ -202,11 +201,11 @@ struct Failure {
     TemporaryDirectory folder;
     std::mt19937 random{7};
     std::vector<std::string> states{random_bytes(3000, random)};
-    std::string next;  ///< that could not be committed
+    std::string next;  ///< content that could not be committed
     bool failed = false, goes_on = false;
 };
 
-// A call that fails must not take anything with it that was committed.
+// A failing call must not destroy committed data.
 TEST(JournaledFile, KeepsWhatWasCommittedWhenACallFails) {
     for (const int reason : {ENOSPC, EIO}) {
         std::size_t call = 0, went_on = 0;
@@ -238,7 +237,7 @@ TEST(JournaledFile, WaitsForNoReaderAndDoesNotChangeTheFileUnderOne) {
     EXPECT_EQ(folder.contents().at(file.string()), next);
 }
 
-// h5py, which knows no journal, is to see what is new while another one has the file open all day.
+// h5py, which ignores journals, must get new data even while another reader keeps the file open all day.
 TEST(JournaledFile, ChangesTheFileUnderAReaderAfterItsLongestWait) {
     const TemporaryDirectory folder;
     const fs::path file = folder.write("run.h5", "as it was");
@@ -255,7 +254,7 @@ TEST(JournaledFile, ChangesTheFileUnderAReaderAfterItsLongestWait) {
     EXPECT_EQ(folder.contents().at(file.string()), next);
 }
 
-/// A file that was committed, and whose writer was killed before it changed the file itself.
+/// Content of a folder with a committed file whose writer was killed before it changed the file itself.
 std::map<std::string, std::string> left_by_a_killed_writer(const TemporaryDirectory& folder) {
     const fs::path file = folder.write("run.h5", std::string(2000, 'a'));
     JournaledFile journaled(file);
@@ -266,7 +265,7 @@ std::map<std::string, std::string> left_by_a_killed_writer(const TemporaryDirect
     return folder.contents();
 }
 
-// A journal beside another file of the same name would destroy that.
+// A journal beside another file of the same name would destroy that file.
 TEST(JournaledFile, TakesNoJournalOfAnotherFile) {
     TemporaryDirectory folder;
     const fs::path file = folder.path / "run.h5";

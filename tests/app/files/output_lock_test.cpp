@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One output, one writer: two programs at once must not take each other's files away.
+// Each output has one writer: two programs at once must not overwrite each other's files.
 #include "app/files/output_lock.h"
 
 #include <fcntl.h>
@@ -30,7 +30,7 @@ bool has(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
-/// Why the lock was not to be had; "" when it was.
+/// Message of a lock that could not be taken; "" if it was.
 std::string refusal(const fs::path& output) {
     try {
         OutputLock lock(output);
@@ -69,7 +69,7 @@ TEST(OutputLock, IsOnlyOnceInTheWayOfAMovedOne) {
     EXPECT_TRUE(fs::is_empty(directory.path));
 }
 
-// What a killed program leaves.
+// Lock files left by a killed program must not block.
 TEST(OutputLock, AFileThatNobodyHasLockedBlocksNobody) {
     const TemporaryDirectory directory;
     directory.write("run.h5.lock",
@@ -98,7 +98,7 @@ TEST(OutputLock, DoesNotTakeSomebodysFileForALock) {
     EXPECT_EQ(directory.contents(), before);
 }
 
-// What another program wrote into its lock ends on a terminal.
+// The content of another program's lock is printed on a terminal: control characters must be removed.
 TEST(OutputLock, ShowsNothingThatATerminalWouldObey) {
     const TemporaryDirectory directory;
     const fs::path file = directory.write("run.h5.lock", "written by \x1b[2J\a (process 7)\nmore\n");
@@ -109,7 +109,7 @@ TEST(OutputLock, ShowsNothingThatATerminalWouldObey) {
     close(descriptor);
 }
 
-// Between taking the lock and saying so, a program must not be taken for nobody.
+// Between taking the lock and writing its name, a program must count as a writer.
 TEST(OutputLock, OfOneThatDoesNotSayWhoItIsIsALockAllTheSame) {
     const TemporaryDirectory directory;
     const int descriptor = open(directory.write("run.h5.lock", "").c_str(), O_RDONLY);
@@ -146,7 +146,7 @@ TEST(OutputLock, IsNotToBeHadWhereNothingCanBeWritten) {
     EXPECT_TRUE(has(refusal("/no such folder/run.h5"), "name a file in a folder that exists"));
 }
 
-// A file system without locks must not make Sherd useless there, nor let two write.
+// Sherd must work on a file system without locks, but not let two programs write.
 TEST(OutputLock, WithoutLocksOfTheFileSystemTheFileIsTheLock) {
     const TemporaryDirectory directory;
     directory.write("scene.toml", falling_disc);
@@ -217,14 +217,14 @@ TEST(OutputLock, OfVariantsIsLookedAtBeforeOneIsRun) {
     directory.write("scene.toml", falling_disc + "[[variant]]\nname = \"a\"\n[[variant]]\nname = \"b\"\n");
     const std::vector<std::string> all{"run", "scene.toml", "--force"};
     {
-        const OutputLock lock(directory.path / "scene-b.h5");  // by one who runs this variant alone
+        const OutputLock lock(directory.path / "scene-b.h5");  // as of a run of this variant alone
         const auto before = directory.contents();
         const ProgramResult result = run_sherd(all, directory.path);
         EXPECT_EQ(result.exit_code, 2);
         EXPECT_TRUE(has(result.err, "scene-b.h5' is being written by '")) << result.err;
         EXPECT_EQ(directory.contents(), before);
     }
-    const OutputLock lock(directory.path / "scene.h5");  // by one who runs all, and is between two of them
+    const OutputLock lock(directory.path / "scene.h5");  // as of a run of all variants, between two of them
     const ProgramResult result = run_sherd(all, directory.path);
     EXPECT_EQ(result.exit_code, 2);
     EXPECT_TRUE(has(result.err, "scene.h5' is being written by '")) << result.err;
@@ -267,7 +267,7 @@ TEST(OutputLock, IsTakenByEveryCommandThatWrites) {
         EXPECT_FALSE(name.ends_with(".lock") || name.ends_with(".part")) << name;
 }
 
-// A reader's file is his as long as he has it open; who reads on by name must not get two runs in one.
+// An open recording must remain readable for its reader; a reader by name must not get a mixture of two runs.
 TEST(OutputLock, ARunIsForcedOverARecordingThatIsBeingRead) {
     const TemporaryDirectory directory;
     directory.write("scene.toml", falling_disc);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Caches of other programs must arrive as they are; what is damaged must be told, not computed with, and must
-// not take memory that a head only tells of.
+// Caches of other programs must be read exactly; damaged ones must be reported instead of used, and must not
+// take the memory that their header claims.
 #include "app/files/point_cache.h"
 
 #include <gtest/gtest.h>
@@ -97,7 +97,7 @@ TEST_F(PointCacheFile, WithoutSamplesIsRefused) {
     expect_refused("a.mdd", CacheBytes(true).whole(0).whole(2).text, "holds no samples");
 }
 
-// Memory for what a head tells of would end the program.
+// Allocating what the header claims would end the program.
 TEST_F(PointCacheFile, OfHugeCountsIsRefusedBeforeItTakesMemory) {
     constexpr std::uint32_t most = 0x7fffffff;
     CacheBytes head(false);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A program that its bundle's loader runs must find its own code and launcher, not the loader's.
+// A program started by its bundle's loader must find its own file and launcher, not the loader's.
 #include "app/files/program_file.h"
 
 #include <gtest/gtest.h>

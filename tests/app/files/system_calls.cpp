@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <utility>
 
-// The names that the linker's --wrap asks for.
+// Names required by the linker's --wrap.
 // NOLINTBEGIN(bugprone-reserved-identifier)
 extern "C" {
 ssize_t __real_pwrite(int descriptor, const void* bytes, std::size_t size, off_t offset);
@@ -21,13 +21,13 @@ int __real_unlink(const char* file);
 namespace sherd::test {
 namespace {
 
-SystemCalls* listener = nullptr;  // the calls of C can reach nothing else
+SystemCalls* listener = nullptr;  // C calls have no other access to the object
 
 std::filesystem::path name_of(int descriptor) {
     return std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(descriptor));
 }
 
-/// Makes a call unless it is to fail.
+/// Makes a call unless it must fail.
 template <class Call>
 auto told(const SystemCall& call, Call make) {
     if (listener != nullptr)
@@ -69,7 +69,7 @@ ssize_t __wrap_pwrite(int descriptor, const void* bytes, std::size_t size, off_t
     const ssize_t count =
         sherd::test::told(call, [&] { return __real_pwrite(descriptor, bytes, size, offset); });
     if (count < 0) {
-        constexpr off_t sector = 512;  // is written as a whole
+        constexpr off_t sector = 512;  // written as a whole
         const int reason = errno;
         const off_t half = (offset + static_cast<off_t>(size / 2)) / sector * sector - offset;
         if (half > 0 && __real_pwrite(descriptor, bytes, static_cast<std::size_t>(half), offset) < 0)

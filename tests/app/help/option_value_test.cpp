@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the completions and the manual page read off the help. If one of these fails, a shell offers the wrong
-// files for an option, or none.
+// Completions and the manual page are derived from the help. Otherwise a shell offers the wrong files for an
+// option, or none.
 #include "app/help/option_value.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 using Kind = OptionValue::Kind;
 using Words = std::vector<std::string>;
 
-/// A program with a command that has each kind of option.
+/// Program with a command that has each kind of option.
 struct SampleProgram {
     SampleProgram() {
         command->add_option("run", file, "A recording")->required()->option_text("RUN.h5");

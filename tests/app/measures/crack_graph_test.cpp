@@ -21,7 +21,7 @@ Index at(Index x, Index y) {
     return grid_vertex(squares, x, y);
 }
 
-/// In steps from `from` on.
+/// Vertices of a path in steps from `from` on.
 std::vector<Index> path(std::array<Index, 2> from, const std::vector<std::array<Index, 2>>& steps) {
     std::vector<Index> vertices{at(from[0], from[1])};
     for (const auto& [x, y] : steps) {
@@ -39,11 +39,11 @@ CrackDirections directions_of(const Snapshot& frame, const std::vector<Vector3d>
     return crack_directions(crack_graph(frame), frame.rest, axes);
 }
 
-// Were a branch not to end at the rim or at a junction, cracks that have nothing in common would be one.
+// If a branch did not end at the rim or at a junction, unrelated cracks would be one.
 TEST(CrackGraph, HasABranchFromNodeToNode) {
     Snapshot frame = grid_sheet(squares, squares);
     crack(frame, path({0, 5}, steps(10, 1, 0)));  // from rim to rim
-    crack(frame, path({4, 5}, steps(3, 0, 1)));   // from its middle
+    crack(frame, path({4, 5}, steps(3, 0, 1)));   // from its centre
     const CrackGraph cracks = crack_graph(frame);
     std::vector<std::size_t> lengths;
     for (const CrackBranch& branch : cracks.branches) lengths.push_back(branch.edges.size());
@@ -54,7 +54,7 @@ TEST(CrackGraph, HasABranchFromNodeToNode) {
     EXPECT_DOUBLE_EQ(*tortuosity(cracks, frame.rest), 1);
 }
 
-// Two cracks that come to one place of the rim from two sides are two.
+// Two cracks that end at one place of the rim from two sides remain two.
 TEST(CrackGraph, PartsCracksAtTheRim) {
     Snapshot frame = grid_sheet(squares, squares);
     crack(frame, path({0, 5}, steps(3, 1, 0)));
@@ -73,10 +73,10 @@ TEST(CrackGraph, HasClosedLinesOnce) {
     ASSERT_EQ(cracks.branches.size(), 1u);
     EXPECT_TRUE(cracks.branches[0].is_closed());
     EXPECT_EQ(cracks.branches[0].edges.size(), 12u);
-    EXPECT_FALSE(tortuosity(cracks, frame.rest));  // it has no chord
+    EXPECT_FALSE(tortuosity(cracks, frame.rest));  // a closed line has no chord
 }
 
-// Whatever fails, no length is lost or counted twice, and a branch has no node inside.
+// No length may be lost or counted twice, whatever fails, and a branch has no node inside.
 RC_GTEST_PROP(CrackGraph, BranchesHaveEveryCrackOnce, (const std::vector<std::uint8_t>& failing)) {
     Snapshot frame = grid_sheet(6, squares);
     std::size_t number = 0;
@@ -108,7 +108,7 @@ TEST(Tortuosity, IsLengthOverChordOfWhatIsNotDust) {
     std::vector<std::array<Index, 2>> stairs;
     for (int i = 0; i < 3; ++i) stairs.push_back({1, 0}), stairs.push_back({0, 1});
     crack(frame, path({2, 2}, stairs));
-    crack(frame, path({1, 8}, {{1, 0}, {0, 1}}));  // two edges are no shape
+    crack(frame, path({1, 8}, {{1, 0}, {0, 1}}));  // two edges have no shape
     EXPECT_NEAR(*tortuosity(crack_graph(frame), frame.rest), std::sqrt(2), 1e-12);
     crack(frame, path({5, 1}, steps(5, 1, 0)));
     EXPECT_NEAR(*tortuosity(crack_graph(frame), frame.rest), 11 / (3 * std::sqrt(2) + 5), 1e-12);
@@ -127,12 +127,13 @@ TEST(CrackDirections, AreAgainstTheAxisOfTheFace) {
     const CrackDirections against = directions_of(frame, axes);
     EXPECT_NEAR(against.mean, 150, 1e-10);
     EXPECT_NEAR(against.histogram[10], 1, 1e-12);
-    crack(frame, path({5, 4}, steps(6, 0, 1)));  // as much across it: none is preferred
+    crack(frame, path({5, 4}, steps(6, 0, 1)));  // equal length across: no direction is preferred
     EXPECT_NEAR(directions_of(frame).resultant, 0, 1e-12);
     EXPECT_NEAR(directions_of(frame).histogram[6], 0.5, 1e-12);
 }
 
-// Edges have the directions of the mesh: a crack at 45 degrees along edges at 0 and 90 is none of these.
+// Edges have the directions of the mesh: a crack at 45 degrees along edges at 0 and 90 must have neither of
+// these.
 TEST(CrackDirections, AreSmoothedOverAFewEdges) {
     Snapshot frame = grid_sheet(squares, squares);
     std::vector<std::array<Index, 2>> stairs;
@@ -155,7 +156,7 @@ TEST(CrackBranching, HasTheAnglesBetweenNeighbours) {
     ASSERT_EQ(fork[0].angles.size(), 3u);
     EXPECT_NEAR(fork[0].smallest_angle(), 45, 1e-10);
     EXPECT_NEAR(*std::ranges::max_element(fork[0].angles), 180, 1e-10);
-    crack(frame, path({3, 5}, steps(2, 0, 1)));  // too short to say where it goes, and so is what it leaves
+    crack(frame, path({3, 5}, steps(2, 0, 1)));  // too short for a direction, and so is the rest
     const std::vector<CrackJunction> both = crack_junctions(crack_graph(frame), frame.rest);
     ASSERT_EQ(both.size(), 2u);
     EXPECT_TRUE(both[0].angles.empty() && both[1].angles.empty());

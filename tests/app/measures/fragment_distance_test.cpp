@@ -15,7 +15,7 @@
 namespace sherd::test {
 namespace {
 
-/// A square of 10 m in two fragments, cut along x = `cut`; edges of 10 / `columns`.
+/// Square of 10 m in two fragments, cut along x = `cut`; edges of 10 / `columns`.
 Snapshot cut_square(Index columns, double cut) {
     Snapshot frame = grid_sheet(columns, columns, 10.0 / columns);
     for (std::size_t f = 0; f < frame.faces.size(); ++f) {
@@ -25,7 +25,7 @@ Snapshot cut_square(Index columns, double cut) {
     return frame;
 }
 
-// A fragment's number says when it was born, and nothing of where it lies.
+// A fragment's number gives the order of its creation, not its place.
 TEST(FragmentDistance, OfEqualFragmentsIsNoneWhateverTheirNumbers) {
     const Snapshot frame = cut_square(10, 5);
     Snapshot renamed = frame;
@@ -45,7 +45,7 @@ TEST(FragmentDistance, OfEqualFragmentsIsNoneWhateverTheirNumbers) {
     }
 }
 
-// Of two points one in the strip of a tenth, one beside it, the two disagree: 2 * 0.1 * 0.9.
+// For two points, one in the strip of a tenth and one beside it, the partitions disagree: 2 * 0.1 * 0.9.
 TEST(FragmentDistance, OfACutThatIsMovedByARowOfFacesIsTheStrip) {
     const FragmentDistance distance = fragment_distance(cut_square(10, 5), cut_square(10, 6));
     EXPECT_NEAR(distance.partition.rand, 0.82, 1e-12);
@@ -68,7 +68,7 @@ TEST(FragmentDistance, DoesNotCareForTheMesh) {
 
 TEST(PartitionDistance, OfOneWholeIsNoneAndOfChanceHasNoAgreement) {
     EXPECT_EQ(partition_distance({{{3, 5}, 1.0}}).adjusted_rand, 1);
-    // Halves across halves: what the one says tells nothing of the other.
+    // Halves across halves: one partition has no information about the other.
     const PartitionDistance across =
         partition_distance({{{0, 0}, 0.25}, {{0, 1}, 0.25}, {{1, 0}, 0.25}, {{1, 1}, 0.25}});
     EXPECT_NEAR(across.adjusted_rand, 0, 1e-12);
@@ -77,7 +77,7 @@ TEST(PartitionDistance, OfOneWholeIsNoneAndOfChanceHasNoAgreement) {
     EXPECT_EQ(across.matches.size(), 2u);
 }
 
-// It is a distance: the same from either side, and the index is a probability, by its definition.
+// The distance is symmetric, and the index is by its definition a probability.
 RC_GTEST_PROP(PartitionDistance, IsTheSameFromEitherSideAndCountsPairs, ()) {
     const auto labels = *rc::gen::resize(
         12, rc::gen::nonEmpty(rc::gen::container<std::vector<std::pair<Index, Index>>>(

@@ -10,7 +10,7 @@
 namespace sherd::test {
 namespace {
 
-/// Adds a rectangle of two triangles, with the first corner at `corner`, as a fragment of its own.
+/// Adds a rectangle of two triangles, with the first corner at `corner`, as a fragment.
 void add_rectangle(Snapshot& frame, const Vector3d& corner, const Vector3d& along, const Vector3d& across) {
     const auto first = static_cast<Index>(frame.rest.position.cols());
     frame.rest.position.conservativeResize(3, first + 4);
@@ -29,7 +29,7 @@ CrackExtent extent_of(const Snapshot& frame) {
     return crack_extent(crack_graph(frame), frame.rest);
 }
 
-// Lengths along the axes of space, or along the mesh's edges, would depend on how a shard lies.
+// Lengths along the axes of space, or along the mesh's edges, would depend on a fragment's orientation.
 TEST(FragmentExtent, IsThatOfARectangleHoweverItLies) {
     Snapshot frame;
     frame.rest.position.resize(3, 0);
@@ -44,7 +44,7 @@ TEST(FragmentExtent, IsThatOfARectangleHoweverItLies) {
     EXPECT_NEAR(extents[1].aspect_ratio(), 2.5, 1e-10);
 }
 
-// A crack has two sides and must not count twice; one that is closed still has to count.
+// A crack has two sides and must not count twice; a closed crack must count, too.
 TEST(CrackExtent, CountsOpenAndClosedCracksOnceAndNoBoundary) {
     Snapshot frame;
     frame.rest.position.resize(3, 0);
@@ -54,7 +54,7 @@ TEST(CrackExtent, CountsOpenAndClosedCracksOnceAndNoBoundary) {
     EXPECT_EQ(extent_of(frame).length, 0);
     frame.edges = {{4, 6}, {0, 1}};
     frame.edge_state = {EdgeState::fractured_interior, EdgeState::boundary};
-    EXPECT_NEAR(extent_of(frame).length, 0.5, 1e-14);  // the second one's diagonal
+    EXPECT_NEAR(extent_of(frame).length, 0.5, 1e-14);  // diagonal of the second one
     frame.faces[1] = {8, 9, 3};                        // the first one comes apart along its diagonal
     const CrackExtent both = extent_of(frame);
     EXPECT_NEAR(both.length, 1.0, 1e-14);

@@ -29,7 +29,7 @@ TEST(Measures, HaveTheFragmentsByMassAndWhatIsLeftOut) {
     for (const MeasuredFragment& fragment : all.fragments) mass += fragment.info.mass;
     EXPECT_NEAR(mass, run.frames.back().mass.sum(), 1e-15);
     EXPECT_GE(all.fragments[0].info.mass, all.fragments[1].info.mass);
-    EXPECT_EQ(all.mass_law->count, 2u);  // the lightest is where the law begins
+    EXPECT_EQ(all.mass_law->count, 2u);  // the law begins at the lightest
 
     const double lightest = all.fragments[2].info.mass;
     const Measures fewer = measured(run, lightest);
@@ -80,7 +80,7 @@ TEST(Measures, TellWhatBrokeFirstAndTheLargestForces) {
     }
 }
 
-// The force at which a plate breaks is that before it does: when it has broken it bears less.
+// The force at which a plate fractures is the one before: afterwards it bears less.
 TEST(Measures, HaveTheForcesOfAllStepsAndBeforeTheFirstCrack) {
     SyntheticRun run = synthetic_run();
     for (std::size_t k = 1; k < run.events.size(); ++k)
@@ -98,7 +98,7 @@ TEST(Measures, HaveTheForcesOfAllStepsAndBeforeTheFirstCrack) {
     EXPECT_FALSE(measured(run).tip_speeds);
 }
 
-// About another place than the blow there are other cracks.
+// About another point than that of impact the cracks differ.
 TEST(Measures, CountCracksAboutWhatIsSaid) {
     const TemporaryDirectory folder;
     SyntheticRun run = synthetic_run();

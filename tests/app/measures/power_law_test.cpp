@@ -10,12 +10,12 @@
 namespace sherd::test {
 namespace {
 
-// A wrong estimator would still fall with the data and look like a law.
+// A wrong estimator would still decrease with the data and look like a law.
 TEST(PowerLaw, IsTheMostLikelyOneAndItsIntervalThatOfTables) {
     const std::vector<double> values{0.5, 1, std::exp(1.0), std::exp(2.0)};
     const auto law = power_law(values, 1);
     ASSERT_TRUE(law);
-    EXPECT_EQ(law->count, 2u);  // what is not above 1 does not count
+    EXPECT_EQ(law->count, 2u);  // values up to 1 do not count
     EXPECT_NEAR(law->exponent, 2.0 / 3, 1e-14);
     // Chi-squared with 4 degrees of freedom: 0.484419 and 11.143287 (tables).
     EXPECT_NEAR(law->interval[0], 2.0 / 3 / 4 * 0.484419, 1e-6);
@@ -27,7 +27,7 @@ TEST(PowerLaw, NeedsTwo) {
     EXPECT_FALSE(power_law({}, 1));
 }
 
-// 95 of 100 is what the interval promises: of 1,000 collections whose exponent is 0.7, 950 +- 7.
+// The interval claims 95 of 100: for 1,000 collections with exponent 0.7, 950 +- 7.
 TEST(PowerLaw, IntervalHasTheTruthAsOftenAsItSays) {
     std::mt19937_64 random(5);
     std::uniform_real_distribution<double> uniform(0, 1);

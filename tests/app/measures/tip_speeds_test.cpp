@@ -12,7 +12,7 @@ namespace {
 
 constexpr Index tip_squares = 10;
 
-/// A crack that goes on along y = 5 from vertex `from` to vertex `to` in a step.
+/// Propagates a crack along y = 5 from vertex `from` to vertex `to` in a step.
 void fail(CrackEvents& events, std::int64_t step, Index from, Index to) {
     for (Index x = from; x < to; ++x)
         events.failures.push_back(
@@ -34,11 +34,11 @@ TipSpeeds speeds_of(const CrackEvents& events) {
     return tip_speeds(events, three_steps(), frame, crack_graph(frame).on_rim);
 }
 
-// A crack that begins inside goes on at both ends, one that comes from another or from the rim at one.
+// A crack that starts inside has two tips, one that comes from another or from the rim has one.
 TEST(TipSpeeds, AreLengthOverTimeAtEachNewEnd) {
     CrackEvents events;
     fail(events, 1, 3, 5);   // two edges, two tips: 10 m/s each
-    fail(events, 2, 5, 6);   // from there on: 5 m/s
+    fail(events, 2, 5, 6);   // continued: 5 m/s
     fail(events, 3, 6, 10);  // to the rim: 40 m/s
     fail(events, 3, 0, 1);   // from the rim: 10 m/s
     const TipSpeeds speeds = speeds_of(events);
@@ -56,7 +56,8 @@ TEST(TipSpeeds, AreLengthOverTimeAtEachNewEnd) {
     EXPECT_NEAR(speeds.mean(), 8 / (2 * 0.1 + 0.2 + 2 * 0.1), 1e-12);
 }
 
-// Tips by toughness know better than the length of edges in a step; one that stands still is none.
+// Recorded speeds of tips by toughness are better than the length of edges in a step; arrested tips do not
+// count.
 TEST(TipSpeeds, AreThoseOfRecordsWhereThereAreAny) {
     CrackEvents events;
     fail(events, 1, 3, 5);

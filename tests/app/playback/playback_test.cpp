@@ -173,7 +173,7 @@ TEST(Interpolation, FollowsTheStrainOfHingesThatStay) {
     EXPECT_THROW(interpolated(whole, torn, 0.5), Error) << "not frames of one run";
 }
 
-// A wheel that rolls: its middle goes straight on, while its own frame is at its rim.
+// A wheel that rolls: its centre moves straight, while its own frame is at its rim.
 TEST(Interpolation, TurnsABodyAboutItsMiddle) {
     const Vector3d middle(0, 0, 1);
     const auto pose = [&](double angle, const Vector3d& place) {
@@ -188,7 +188,7 @@ TEST(Interpolation, TurnsABodyAboutItsMiddle) {
     EXPECT_EQ(interpolated(pose(0, {0, 0, 1}), lost, 0.5, middle).matrix(), pose(0, {0, 0, 1}).matrix());
 }
 
-// A film asks for some twenty pictures between two frames.
+// A film needs some twenty pictures between two frames.
 TEST(Playback, ReadsEachFrameOnce) {
     const auto pair = torn_pair();
     std::vector<std::size_t> read;
@@ -205,7 +205,7 @@ TEST(Playback, ReadsEachFrameOnce) {
     EXPECT_EQ(playback.at({2, 2, 0, 2}).position, pair[0].position) << "a frame is what was recorded";
 }
 
-// Sheets that go on smoothly beside an obstacle that jumps from frame to frame would pass through it.
+// Sheets that move smoothly beside an obstacle that jumps from frame to frame would pass through it.
 TEST(Playback, MovesObstaclesBetweenFrames) {
     const TemporaryDirectory folder;
     const SyntheticRun run = synthetic_run();
@@ -240,7 +240,7 @@ TEST(Interpolation, FieldsOfFacesGoStraight) {
     EXPECT_TRUE(choice_of(between.fields).curvature);
 }
 
-// A tensor that is the same everywhere and at all times has other components in each part of a split face.
+// A tensor that is constant in space and time has different components in each part of a split face.
 TEST(Interpolation, FieldsTurnIntoTheAxesOfPartsOfFaces) {
     const SyntheticRun run = split_run();
     Eigen::Matrix2d tensor;

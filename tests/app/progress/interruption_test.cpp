@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How commands end by Ctrl-C and SIGTERM: a script that cannot tell that from a failure goes on, or gives up.
+// End of commands by Ctrl-C and SIGTERM: a script that cannot distinguish that from a failure continues, or
+// gives up.
 #include "app/progress/interruption.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +28,7 @@ void wait_until_there(const fs::path& file) {
     for (int i = 0; i < 6000 && !fs::exists(file); ++i) std::this_thread::sleep_for(moment);
 }
 
-/// Whether a set of signals of a program, a line of its status, has a signal.
+/// Whether a signal is in a set of signals of a program, which is a line of its status.
 bool has_signal(pid_t program, const std::string& set, int signal) {
     std::ifstream status(fs::path("/proc") / std::to_string(program) / "status");
     for (std::string word; status >> word;)
@@ -35,13 +36,13 @@ bool has_signal(pid_t program, const std::string& set, int signal) {
     return false;
 }
 
-/// Waits until a program has a handler for a signal: it has begun.
+/// Waits until a program has a handler for a signal, that is has begun.
 void wait_until_it_catches(pid_t program, int signal) {
     for (int i = 0; i < 6000 && !has_signal(program, "SigCgt:", signal); ++i)
         std::this_thread::sleep_for(moment);
 }
 
-/// Sends signals as soon as a file is there, each when the one before has been taken.
+/// Sends signals once a file exists, each when the one before has been delivered.
 std::function<void(pid_t)> when_there(const fs::path& file, const std::vector<int>& signals) {
     return [=](pid_t program) {
         wait_until_there(file);
@@ -79,7 +80,7 @@ TEST(Interruption, ARunEndsAfterItsStepAndSaysWhatThereIs) {
     }
 }
 
-// A step of minutes must not be waited for.
+// A second signal must not wait for a step of minutes.
 TEST(Interruption, ASecondOneEndsAtOnce) {
     const TemporaryDirectory directory;
     directory.write("scene.toml", falling_disc);
@@ -95,7 +96,7 @@ TEST(Interruption, WhatWritesNothingUntilItsEndEndsAtOnce) {
     const TemporaryDirectory directory;
     directory.write("scene.toml", falling_disc);
     const auto interrupt = [](pid_t program) {
-        wait_until_it_catches(program, SIGINT);  // it takes minutes from there on
+        wait_until_it_catches(program, SIGINT);  // the rest takes minutes
         kill(program, SIGINT);
     };
     const std::vector<std::string> long_ones[] = {
@@ -111,7 +112,7 @@ TEST(Interruption, WhatWritesNothingUntilItsEndEndsAtOnce) {
     }
 }
 
-// Else they would go on for hours, and nobody would see them.
+// Otherwise they would continue unnoticed for hours.
 TEST(Interruption, VariantsEndWithTheirParent) {
     const TemporaryDirectory directory;
     directory.write("scene.toml", falling_disc + "[[variant]]\nname = \"a\"\n[[variant]]\nname = \"b\"\n");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is said of how far things are: on terminals of all widths, and where there is none.
+// Progress output on terminals of all widths, and without a terminal.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -23,7 +23,7 @@
 namespace sherd::test {
 namespace {
 
-/// A disc in free fall with two variants, which nothing stops before its time.
+/// Disc in free fall with two variants, which nothing stops before their time.
 const std::string variants = "[[variant]]\nname = \"slow\"\n[[variant]]\nname = \"diagonal\"\n";
 
 RunProgress long_run() {
@@ -50,7 +50,7 @@ TEST(ProgressLine, IsShorterThanAnyTerminal) {
         }
 }
 
-// Whoever reads a log file must see that a long step is not the end of the program.
+// Readers of a log file must see that a long step is not the end of the program.
 TEST(ProgressDisplay, SaysAgainHowFarThingsAreWhereNothingNewHappens) {
     testing::internal::CaptureStderr();
     const auto printed = [] {
@@ -76,7 +76,7 @@ TEST(ProgressDisplay, SaysAgainHowFarThingsAreWhereNothingNewHappens) {
     EXPECT_TRUE(has(text, "\n 30%  step 3  ETA 0:00, after 0:00\n")) << text;
 }
 
-// The time to go is what people look for; what goes first is what only experts read.
+// Users look for the remaining time; details for experts are omitted first.
 TEST(ProgressLine, LeavesOutTheLeastImportantFirst) {
     std::vector<std::string> words{"ETA", "0.00125 of 0.025 s", "fragments", "cracks", "step", "halved"};
     std::size_t there = 0;
@@ -114,12 +114,12 @@ TEST(RunProgress, PassesThroughALine) {
     EXPECT_FALSE(run_progress("sherd: warning: of something else"));
 }
 
-/// Lines with a bar that did not fit; the table at the end may be wider than a terminal.
+/// Number of lines with a bar that were too long; the table at the end may be wider than a terminal.
 std::ptrdiff_t wrapped_bars(const Screen& screen) {
     return std::ranges::count_if(screen.wrapped, [](const auto& line) { return has(line, "["); });
 }
 
-/// Runs to its end on a terminal that is so wide.
+/// Output of a complete run on a terminal of `columns` columns.
 struct Shown {
     Screen screen;
     std::string bytes;
@@ -171,7 +171,7 @@ TEST_F(ProgressOnATerminal, FitsAfterTheTerminalHasBecomeNarrower) {
     EXPECT_GT(before.text().at(0).size(), 60u) << "the test would prove nothing";
 
     program.resize_at_rest(60);
-    // A line may have been on its way, of a return before it and one behind.
+    // A line, between two returns, may have been written before.
     program.read_until([&](const auto& text) { return redraws(text) >= 3; });
     Screen after(60);
     after.add(program.read_until([&](const auto& text) { return redraws(text) >= 6; }));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// If one of these fails, a run whose triangles change with its cracks cannot be recorded, or a film of it
-// tears the sheet between two frames.
+// Otherwise a run whose triangles change with its cracks cannot be recorded, or a film of it tears the sheet
+// between two frames.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -40,13 +40,13 @@ RC_GTEST_PROP(AdvancedRecording, HoldsWhatItWasGivenAndFramesFollowEachOther, ()
     RC_ASSERT(!testing::Test::HasFailure());
 }
 
-// Here a face of the unbroken mesh has most of a face at 0.5 s, whose corners are all born after 0.3 s, and
-// of none at 0.3 s: its parts are in faces that have more of its neighbours.
+// Here a face of the unfractured mesh has most of a face at 0.5 s, whose corners are all inserted after 0.3
+// s, and of none at 0.3 s: its parts are in faces that have more of its neighbours.
 TEST(AdvancedRecording, FollowsAFaceWhoseParentHadNoFaceBefore) {
     expect_recorded_and_followed(3, 396980017);
 }
 
-// Whatever is known of the unbroken mesh is carried over to a later one by parents and weights.
+// Data of the unfractured mesh are transferred to a later mesh by parents and weights.
 RC_GTEST_PROP(AdvancedRecording, VerticesLieInTheUnbrokenMesh, ()) {
     const unsigned shape = *rc::gen::inRange(0u, sheet_shapes), seed = *rc::gen::inRange(0u, 1u << 30);
     const RestMesh rest = advanced_frames(shape, seed, Matrix3d::Identity()).back().rest;

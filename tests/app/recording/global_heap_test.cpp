@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A damaged recording ends with an error: HDF5 itself may go on for ever, or read what is not its own.
+// A damaged recording must give an error: HDF5 itself may loop forever, or read beyond its memory.
 #include "app/recording/global_heap.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ std::span<const std::byte> bytes_of(const std::string& text) {
     return std::as_bytes(std::span(text));
 }
 
-/// Where the length of each object is, in a block of texts that begins at `begin`: the last is free room.
+/// Places of the objects' lengths in a block of texts that begins at `begin`: the last is free space.
 std::vector<std::size_t> lengths_in(const std::string& content, std::size_t begin) {
     std::uint64_t size = 0;
     std::memcpy(&size, content.data() + begin + 8, sizeof size);
@@ -64,15 +64,15 @@ TEST(GlobalHeap, RefusesLengthsThatDoNotFit) {
     };
     std::memcpy(block.data(), "GCOL\1", 5);
     put(8, 4096);
-    block[16] = 1;  // the first text
-    put(24, 20);    // takes 24 bytes and its head
+    block[16] = 1;  // first text
+    put(24, 20);    // takes 24 bytes and its header
     put(16 + 40 + 8, 4096 - 16 - 40);
     EXPECT_NO_THROW(hdf5::require_sound_heap(bytes_of(block)));
     for (const std::size_t place : {std::size_t{8}, std::size_t{24}, std::size_t{64}})
         for (const std::uint64_t length : wrong) {
             const std::string sound = block;
             put(place, length);
-            // A shorter text may have others behind it, and a longer block goes on beyond what is read.
+            // A shorter text may be followed by others, and a longer block extends beyond the bytes read.
             const bool may_be = (place == 24 && length <= 15) || (place == 8 && length == 1ULL << 20);
             if (!may_be) {
                 EXPECT_THROW(hdf5::require_sound_heap(bytes_of(block)), Error) << place << " " << length;

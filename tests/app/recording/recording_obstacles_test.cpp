@@ -49,7 +49,7 @@ TEST(RecordedObstacles, KeepEveryBitOfTheirShapesAndPoses) {
     }
 }
 
-// Recordings of before there were any, and of scenes without.
+// Recordings of old versions, and of scenes without obstacles.
 TEST(RecordedObstacles, AreNoneWhereNothingIsSaidOfThem) {
     const TemporaryDirectory folder;
     record(synthetic_run(), folder.path / "run.h5");
@@ -59,7 +59,7 @@ TEST(RecordedObstacles, AreNoneWhereNothingIsSaidOfThem) {
     EXPECT_TRUE(recording.poses(0).empty());
 }
 
-// Whoever draws them would read beyond the end of an array.
+// Otherwise drawing them would read beyond the end of an array.
 TEST(RecordedObstacles, ThatAreDamagedAreRefused) {
     const TemporaryDirectory folder;
     const fs::path file = folder.path / "run.h5";
@@ -81,7 +81,7 @@ TEST(RecordedObstacles, ThatAreDamagedAreRefused) {
     EXPECT_NE(damage(Recording(file)).find("anvil"), std::string::npos) << damage(Recording(file));
 }
 
-// Recordings of before planes were in them: what they hold is no plane.
+// Recordings of versions before planes have none.
 TEST(RecordedObstacles, OfEarlierVersionsAreSolids) {
     const TemporaryDirectory folder;
     const fs::path file = folder.path / "run.h5";
@@ -96,7 +96,7 @@ TEST(RecordedObstacles, OfEarlierVersionsAreSolids) {
     EXPECT_NE(damage(Recording(file)).find("obstacles/plane has 1 rows of 3 obstacles"), std::string::npos);
 }
 
-/// A sheet that falls, with a box that moves by keys and a free ball away from it.
+/// Sheet that falls, with a box that moves by keys and a free ball away from it.
 const std::string three = R"(duration = 0.002
 [sheet.plate]
 mesh = { generate = "rectangle", width = 0.1, height = 0.1, edge_length = 0.02 }
@@ -123,7 +123,7 @@ step = 1e-3
 every = 1e-3
 )";
 
-// A pose that belongs to another obstacle, or to another time, would draw them where nothing is hit.
+// A pose of another obstacle, or of another time, would show them in wrong places.
 TEST(RecordedObstacles, OfARunStandWhereTheyAre) {
     const TemporaryDirectory folder;
     folder.write("scene.toml", three);
@@ -148,7 +148,7 @@ TEST(RecordedObstacles, OfARunStandWhereTheyAre) {
     EXPECT_LT((middle(2, 3) - Vector3d(0.3, 0.1, 0.196)).norm(), 5e-5);
 }
 
-// A square that faces away, or lies beside the sheets, would show in ParaView and Blender what is not there.
+// A square that faces away, or lies beside the sheets, would show wrong contact in ParaView and Blender.
 TEST(RecordedObstacles, ThatArePlanesAreSquaresAroundAllElse) {
     const TemporaryDirectory folder;
     folder.write("scene.toml", three);
@@ -177,7 +177,7 @@ TEST(RecordedObstacles, ThatArePlanesAreSquaresAroundAllElse) {
     EXPECT_FALSE(obstacles[2].plane || obstacles[3].plane);
 }
 
-// A floor that is drawn as a square of two triangles ends in the air; one that moves must not stand still.
+// A floor drawn as a square of two triangles would end in the air; a moving one must not stand still.
 TEST(RecordedObstacles, ThatArePlanesAreTheGroundOfPictures) {
     const TemporaryDirectory folder;
     record_with_obstacles(synthetic_run(), folder.path / "run.h5");

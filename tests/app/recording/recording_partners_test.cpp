@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A recording in the programs that people open it with: scripts in tests/partners, run by h5py's Python and
-// by ParaView's. A partner that is not installed makes its test fail (tests/packages.txt names its package).
+// Recordings in the programs that users open them with: scripts in tests/partners, run by h5py's Python and
+// by ParaView's. If a partner is not installed its test fails (tests/packages.txt names its package).
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -25,7 +25,7 @@ std::string script(const std::string& name) {
     return quoted(tests / "partners" / name);
 }
 
-/// Debian's Python sees Debian's h5py, whatever other Python stands first in the path.
+/// Debian's Python finds Debian's h5py, whatever other Python is first in the path.
 std::string python_with_h5py() {
     for (const char* python : {"python3", "/usr/bin/python3"})
         if (std::system((std::string(python) + " -c 'import h5py' 2>/dev/null").c_str()) == 0) return python;
@@ -60,8 +60,8 @@ void record_modes(const fs::path& file) {
     ASSERT_EQ(result.exit_code, 0) << result.err;
 }
 
-/// A recording, with a name that has all that could confuse a reader, and what h5py finds in it; of runs in
-/// which vertices are copied, or faces split, or beside obstacles, and of modes of vibration.
+/// Recording, with a name that could confuse a reader, and its content according to h5py: runs in which
+/// vertices are copied, faces split or obstacles move, and modes of vibration.
 class RecordingPartners : public ::testing::TestWithParam<void (*)(const fs::path&)> {
   protected:
     void SetUp() override {
@@ -104,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(Moves, RecordingPartners, ::testing::Values(record_move
 INSTANTIATE_TEST_SUITE_P(Modes, RecordingPartners, ::testing::Values(record_modes));
 INSTANTIATE_TEST_SUITE_P(Obstacles, RecordingPartners, ::testing::Values(record_obstacles));
 
-// The player needs Blender only to show what it reads.
+// The player needs Blender only for display.
 std::string player() {
     return quoted(fs::path(__FILE__).parent_path() / "../../../app/blender");
 }
@@ -122,14 +122,14 @@ TEST_P(SplitPartners, ThePagePlaysFacesThatAreBorn) {
     EXPECT_TRUE(passes("check_view_births.py", quoted(page) + " " + quoted(recording)));
 }
 
-// Vertices that cracks move over the sheet do not move it.
+// Vertices that cracks move within the sheet must not move the sheet.
 class MovingPartners : public RecordingPartners {};
 
 TEST_P(MovingPartners, TheBlenderPlayerKeepsTheSheetWhereItIs) {
     EXPECT_TRUE(passes("check_player_moves.py", player() + " " + quoted(recording)));
 }
 
-// Shards that bounce off nothing.
+// Otherwise fragments would bounce off invisible obstacles.
 class ObstaclePartners : public RecordingPartners {};
 
 TEST_P(ObstaclePartners, TheBlenderPlayerMovesThem) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whatever ends the program or the machine while a recording is written, all frames that were appended are
-// there.
+// All appended frames must be there, whatever ends the program or the machine while a recording is written.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -18,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A recording that is begun, and what the system is asked for while frames are appended.
+/// Recording that is begun, and the system calls while frames are appended.
 struct Appends {
     Appends() : run(synthetic_run()) {
         RecordingWriter writer(folder.path / "run.h5", run.header, false);
@@ -35,10 +34,10 @@ struct Appends {
     SyntheticRun run;
     std::map<std::string, std::string> before;
     std::vector<SystemCall> made;
-    std::vector<std::size_t> done;  ///< how many calls there were at the end of each append
+    std::vector<std::size_t> done;  ///< number of calls at the end of each append
 };
 
-/// A recording of the first frames of a run, to the last bit.
+/// Expects a recording of the first frames of a run, to the last bit.
 void expect_begins(const Recording& recording, const SyntheticRun& run, std::size_t frames) {
     ASSERT_EQ(recording.frame_count(), frames);
     std::size_t steps = 0;
@@ -50,7 +49,7 @@ void expect_begins(const Recording& recording, const SyntheticRun& run, std::siz
     recording.events();
 }
 
-/// After an end before the call of this number.
+/// Expects the appended frames after an end before the call of this number.
 void expect_survived(const Appends& appends, std::size_t call, const fs::path& file) {
     const auto appended = static_cast<std::size_t>(
         std::ranges::count_if(appends.done, [&](std::size_t i) { return i <= call; }));
@@ -77,7 +76,7 @@ TEST(RecordingSurvival, EveryFrameIsThereAfterAnyEnd) {
     }
 }
 
-// On a medium that cannot be written, or in somebody else's folder, the journal stays where it is.
+// On a read-only medium, or in another user's folder, the journal remains.
 TEST(RecordingSurvival, IsReadByItsJournalWhereItCannotBeMended) {
     const Appends appends;
     std::mt19937 random(1);
@@ -87,7 +86,7 @@ TEST(RecordingSurvival, IsReadByItsJournalWhereItCannotBeMended) {
     for (std::size_t call = 0; call < appends.made.size(); ++call) {
         disk.make(appends.made[call]);
         disk.show(after.path, true, random);
-        const OutputLock lock(file);  // as of one who writes it
+        const OutputLock lock(file);  // lock of a writer
         const auto left = after.contents();
         const Recording recording(file);
         EXPECT_EQ(recording.mended(), "");
@@ -112,7 +111,7 @@ TEST(RecordingSurvival, SaysWhatHasBeenMended) {
     EXPECT_GE(words.size(), 3u) << "complete, cut off, or whole";
 }
 
-// Nobody goes on with a run that is complete: an index that could not be given its name would stay away.
+// A complete run is never resumed: an index that could not be written would remain missing.
 TEST(RecordingSurvival, IsCompleteOnlyWithItsIndex) {
     const SyntheticRun run = synthetic_run();
     const TemporaryDirectory folder;

@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the first `frames` appends of `run` must have left in `file`.
+/// Expects the content of `file` after the first `frames` appends of `run`.
 void expect_recorded(const fs::path& file, const SyntheticRun& run, std::size_t frames) {
     const Recording recording(file);
     ASSERT_EQ(recording.frame_count(), frames);
@@ -91,7 +91,7 @@ TEST(Recording, KeepsEveryBit) {
     EXPECT_EQ(names_in(folder.path), (std::set<std::string>{"run.h5", "run.xdmf"}));
 }
 
-// HDF5 would keep the second in which each dataset was made.
+// HDF5 would store the time at which each dataset was made.
 TEST(Recording, IsTheSameFileForTheSameRunAtAnotherTime) {
     const TemporaryDirectory folder;
     const std::time_t second = std::time(nullptr);
@@ -114,7 +114,7 @@ TEST(Recording, IsReadableBetweenAppends) {
     expect_recorded(folder.path / "run.h5", run, 3);
 }
 
-// It is written as a whole: with each of thousands of frames, a run would do little else.
+// The index is written as a whole: with each of thousands of frames, a run would do little else.
 TEST(Recording, IsIndexedWithEachFrameAtFirstThenWithEachHundredthPartMore) {
     const TemporaryDirectory folder;
     const SyntheticRun run = synthetic_run();
@@ -182,7 +182,7 @@ TEST(Recording, SurvivesTheEndOfTheDiskAndGoesOnWhenThereIsRoomAgain) {
     expect_recorded(file, run, 3);
 }
 
-// HDF5 must not run into the end of the disk half-way.
+// HDF5 must not reach the end of the disk half-way.
 TEST(Recording, AnAppendIsWholeOrNotAtAllWhereverTheDiskEnds) {
     const SyntheticRun run = synthetic_run();
     std::size_t whole = 0;
@@ -241,7 +241,7 @@ TEST(Recording, RefusesASnapshotThatContradictsItself) {
     expect_recorded(folder.path / "run.h5", run, 0);
 }
 
-/// Another program's lock on a file, as HDF5 sets it.
+/// Lock of another program on a file, as HDF5 sets it.
 class Lock {
   public:
     Lock(const fs::path& file, int kind) : descriptor(open(file.c_str(), O_RDONLY)) {
@@ -315,7 +315,7 @@ TEST(Recording, NamesWhatIsDamaged) {
     expect_error([&] { recording.steps(); }, Fault::input, {"run.h5", "damaged", "steps/kinetic"});
 }
 
-// A run of a thousand million vertices would need memory before a single one is read.
+// A claimed run of a thousand million vertices would take memory before a single one is read.
 TEST(Recording, BelievesNoLengthThatItsBytesCannotHave) {
     const TemporaryDirectory folder;
     const fs::path file = folder.path / "run.h5";
@@ -334,7 +334,7 @@ TEST(Recording, BelievesNoLengthThatItsBytesCannotHave) {
                  {"run.h5", "damaged", "vertex/mass", "promises more values than the file holds"});
 }
 
-// Fields would else be read as those of other faces, or not be there for who opens the file with h5py.
+// Otherwise fields would be assigned to other faces, or be missing in h5py.
 TEST(Recording, KeepsFieldsOfFacesWithPrincipalValuesAndAxes) {
     const TemporaryDirectory folder;
     SyntheticRun run = synthetic_run();
@@ -379,7 +379,7 @@ TEST(Recording, IsDamagedWhenAFieldIsNotOfItsFaces) {
                  {"face/vertices and face/curvature differ in length"});
 }
 
-// Directions of cracks are told against it. What does not matter takes no room.
+// Crack directions are relative to the axis. It takes no space where it does not matter.
 TEST(Recording, HasTheAxesOfTheMaterial) {
     const TemporaryDirectory folder;
     SyntheticRun run = synthetic_run();

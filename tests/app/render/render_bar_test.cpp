@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The colour bar and the caption of pictures.
+// Colour bar and caption of pictures.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -49,7 +49,7 @@ TEST(ColourBar, HasRoundTicksAndTheRangeOfItsColours) {
     EXPECT_EQ(make_colour_bar("speed", "m/s", {0, 61.23456}, {0, 9}).ticks.back().words, "61.23");
 }
 
-// Two labels in one place could not be read.
+// Overlapping labels could not be read.
 TEST(ColourBar, KeepsTicksApart) {
     for (double high = 0.001; high < 1e5; high *= 1.37)
         for (const double low : {0.0, 0.3 * high, -high}) {
@@ -62,7 +62,7 @@ TEST(ColourBar, KeepsTicksApart) {
         }
 }
 
-// A number that jumps about while a film runs cannot be read either.
+// A number that moves about in a film could not be read.
 TEST(ColourBar, CaptionsOfARunHaveTheSameForm) {
     EXPECT_EQ(moment_caption(0.0125, 125, 0.03), "t = 12.50 ms, step 125");
     EXPECT_EQ(moment_caption(0, 0, 0.03), "t = 0.00 ms, step 0");
@@ -72,7 +72,8 @@ TEST(ColourBar, CaptionsOfARunHaveTheSameForm) {
     EXPECT_EQ(moment_caption(0.25, 5, 1, "load"), "load 0.250, step 5");
 }
 
-// Legible in small pictures and in large ones, before black and before white; and nothing else is touched.
+// Bar and caption must be legible in small and large pictures, on black and on white, and change nothing
+// else.
 TEST(ColourBar, IsLegibleInPicturesOfAnySizeAndTouchesOnlyItsPanel) {
     const ColourBar bar = make_colour_bar("strain", "1/m", {10, 250}, {2, 300});
     const std::array<int, 2> sizes[] = {{220, 220}, {480, 270}, {960, 540}, {540, 960}, {3840, 2160}};
@@ -105,7 +106,7 @@ TEST(ColourBar, IsLegibleInPicturesOfAnySizeAndTouchesOnlyItsPanel) {
     EXPECT_FALSE(has_room_for_bar(219, 1000));
 }
 
-// Who reads a colour off the picture must find it on the bar, where its number stands.
+// A colour of the picture must be on the bar beside its number.
 TEST(ColourBar, ShowsTheMapFromBelowUpwards) {
     Image image = blank(960, 540, 1);
     const ColourBar bar = make_colour_bar("strain", "1/m", {0, 250}, {0, 250});
@@ -114,7 +115,7 @@ TEST(ColourBar, ShowsTheMapFromBelowUpwards) {
         const std::uint32_t rgb = map_colour(share);
         return Eigen::Vector3i(rgb >> 16 & 255, rgb >> 8 & 255, rgb & 255).cast<float>() / 255;
     };
-    // The column through the middle of the bar: the rows that are of the map, from the top.
+    // Pixels of the map in the column through the centre of the bar, from the top.
     const int column = panel.left + 10 + 7;
     std::vector<Vector3f> colours;
     for (int row = panel.top + 30; row < panel.bottom; ++row) {
@@ -128,7 +129,7 @@ TEST(ColourBar, ShowsTheMapFromBelowUpwards) {
     }
 }
 
-// A box for a letter that the font has not would stand where a unit should.
+// A box for a letter missing in the font would replace a unit.
 TEST(Text, HasTheLettersOfUnitsAndTheirWidths) {
     const Text text(20);
     Image missing = blank(60, 40, 1);
@@ -145,7 +146,7 @@ TEST(Text, HasTheLettersOfUnitsAndTheirWidths) {
     text.write(outside, -8, 14, "cut off on all sides", Vector3f::Zero());
 }
 
-/// A recorded synthetic run, drawn with the colours of its speed.
+/// Recorded synthetic run, drawn with the colours of its speed.
 class RenderBar : public ::testing::Test {
   protected:
     RenderBar() { record(synthetic_run(), folder.path / "run.h5"); }
@@ -166,7 +167,7 @@ class RenderBar : public ::testing::Test {
     TemporaryDirectory folder;
 };
 
-// A picture that is measured with and without a bar must be the same one.
+// Measured with and without a bar, the picture must be the same.
 TEST_F(RenderBar, DiffersFromThePlainPictureOnlyInBarAndCaption) {
     for (const std::string colour : {"speed", "strain"}) {
         const Image plain = drawn(colour, true), full = drawn(colour, false);

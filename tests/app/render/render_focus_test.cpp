@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the camera follows: the action, but no lone splinter.
+// The camera follows the action, but no lone splinter.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -34,7 +34,7 @@ struct Pieces {
         }
     }
 
-    /// A hundred of them side by side: a square of 1 m about the origin.
+    /// Adds a hundred pieces side by side: a square of 1 m about the origin.
     void add_sheet() {
         for (int i = 0; i < 10; ++i)
             for (int j = 0; j < 10; ++j) add(Vector3d(i * 0.1 - 0.45, j * 0.1 - 0.45, 0), 0.1);
@@ -61,8 +61,7 @@ TEST(Focus, LeavesOutASplinterThatFliesAway) {
     }
 }
 
-// Of what matters nothing may be cut: not a piece that only just lies outside, nor large ones, nor a small
-// sheet that has its own business far away.
+// Nothing of importance may be cut off: not a piece just outside, nor large ones, nor a small sheet far away.
 TEST(Focus, HasEveryThingElse) {
     Pieces pieces;
     pieces.add_sheet();
@@ -79,7 +78,7 @@ TEST(Focus, HasEveryThingElse) {
     expect_same_box(falling.focus(), {Vector3d(2.5, 3.5, -1e4), Vector3d(3.5, 4.5, -1e4)});
 }
 
-// However they are spread, and in whatever order.
+// Pieces in any distribution, and in any order.
 TEST(Focus, HasNineteenTwentiethsOfASheet) {
     sherd::Random random(5);
     for (int trial = 0; trial < 200; ++trial) {
@@ -118,11 +117,11 @@ TEST(Focus, SkipsWhatIsNotFinite) {
     EXPECT_TRUE(pieces.focus().isEmpty());
 }
 
-/// The synthetic run, in which the last column may be a fragment of its own that flies away.
+/// Synthetic run, in which the last column may be a fragment that flies away.
 class Stage : public ::testing::Test {
   protected:
     Stage() : run(synthetic_run()) {
-        // Its faces are the smallest part of the sheet.
+        // Faces of the fragment: the smallest part of the sheet.
         for (double& area : run.header.rest_area) area = 1;
         const Index last_column = (synthetic::columns - 1) * synthetic::rows * 2;
         for (auto f = static_cast<std::size_t>(last_column); f < run.header.rest_faces.size(); ++f) {
@@ -164,7 +163,7 @@ class Stage : public ::testing::Test {
 
     TemporaryDirectory folder;
     SyntheticRun run;
-    std::map<Index, Index> copies;  ///< of the vertices of the splinter
+    std::map<Index, Index> copies;  ///< copies of the splinter's vertices
     int recorded = 0;
 };
 

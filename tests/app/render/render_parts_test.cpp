@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What pictures are made of: cameras, bodies of sheets, colours, light.
+// Parts of pictures: cameras, bodies of sheets, colours, light.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,7 +24,7 @@ namespace {
 
 using Eigen::AlignedBox3d;
 
-/// Where a point is in the picture: -1 to 1 in both directions when it is inside.
+/// Place of a point in the picture: -1 to 1 in both directions when it is inside.
 Vector2d place_in_picture(const Camera& camera, double aspect, const Vector3d& point) {
     const CameraAxes axes = camera_axes(camera);
     const Vector3d to = point - camera.eye;
@@ -32,7 +32,7 @@ Vector2d place_in_picture(const Camera& camera, double aspect, const Vector3d& p
     return {to.dot(axes.right) / (depth * slope * aspect), to.dot(axes.top) / (depth * slope)};
 }
 
-// From any side, flat or tall: a picture that cuts the action off is not worth its time, nor is one of a dot.
+// From any side, flat or tall, the picture must neither cut the action off nor show it as a dot.
 TEST(Camera, HasTheWholeActionInThePictureAndFillsIt) {
     const AlignedBox3d boxes[] = {{Vector3d(1, 2, 3), Vector3d(1.5, 2.1, 3.01)},
                                   {Vector3d(1.2, 1.9, 2), Vector3d(1.3, 2.5, 2.2)}};
@@ -72,7 +72,7 @@ TEST(Camera, LooksFromTheFrontAndFromTheRight) {
         EXPECT_THROW(parse_camera(text), Error) << text;
 }
 
-/// The synthetic run's last frame as bodies 2 mm thick.
+/// Last frame of the synthetic run as bodies 2 mm thick.
 class Solid : public ::testing::Test {
   protected:
     static RenderMesh solid(const Snapshot& frame, const std::vector<double>& thickness) {
@@ -125,7 +125,7 @@ TEST_F(Solid, HasTheThicknessAndBrokenWallsWhereItCracked) {
     EXPECT_EQ(walls - broken, 2u * (synthetic::columns + synthetic::rows)) << "the rim as it was made";
 }
 
-// Of a sheet of uneven thickness the sides would else be steps, or depend on the order of the faces.
+// Otherwise the sides of a sheet of uneven thickness would be steps, or depend on the order of the faces.
 TEST_F(Solid, IsAsThickAtAVertexAsTheFacesThereOnTheMean) {
     const Snapshot& frame = run.frames[0];
     std::vector<double> thickness;
@@ -150,13 +150,13 @@ TEST(RenderColour, TellsTwentyOneFragmentsApart) {
     EXPECT_EQ(fragment_colour(21), fragment_colour(0));
 }
 
-// Printed in grey, more must be brighter.
+// Printed in grey, larger values must be brighter.
 TEST(RenderColour, MapGrowsBrighter) {
     double before = -1;
     for (int i = 0; i <= 100; ++i) {
         const std::uint32_t c = map_colour(i / 100.0);
         const double grey = 0.299 * (c >> 16) + 0.587 * (c >> 8 & 255) + 0.114 * (c & 255);
-        EXPECT_GT(grey, before - 0.6);  // a channel is a whole number
+        EXPECT_GT(grey, before - 0.6);  // channels are integers
         before = grey;
     }
     EXPECT_EQ(map_colour(-3), map_colour(0));
@@ -195,7 +195,7 @@ TEST(RenderColour, SaysHowToRecordWhatIsNotThere) {
               std::string::npos);
 }
 
-// Stripes that do not follow the axis tell the wrong direction.
+// Stripes that do not follow the axis would show a wrong direction.
 TEST(RenderStripes, RunAlongTheAxisAndAreAsFarApartAsWanted) {
     SyntheticRun run = synthetic_run();
     run.header.rest_position.row(2).setZero();
@@ -235,7 +235,7 @@ RecordingHeader tube() {
     return header;
 }
 
-// Stripes along a tube that were counted once for all would have to run back somewhere: blotches.
+// Stripes along a tube with one phase for all faces would have to run back somewhere: blotches.
 TEST(RenderStripes, CloseAroundATube) {
     const RecordingHeader header = tube();
     const double circumference = 2 * tube_columns * tube_radius * std::sin(std::numbers::pi / tube_columns);
@@ -255,7 +255,7 @@ TEST(RenderStripes, CloseAroundATube) {
             }
             EXPECT_NEAR(around, std::round(wanted), 1e-9);
         }
-        // Nothing changes along the axis, and neighbours agree on every edge.
+        // The phase is constant along the axis, and neighbours agree on every edge.
         for (std::size_t f = 0; f < axes.size(); f += 2) {
             EXPECT_NEAR(stripes(2, f), stripes(1, f), 1e-3);
             const double sign = axes[f].dot(axes[f + 1]);
@@ -265,7 +265,7 @@ TEST(RenderStripes, CloseAroundATube) {
     }
 }
 
-/// A square 1 m wide, 1 m above the ground, seen from above.
+/// Square 1 m wide, 1 m above the ground, seen from above.
 RenderScene square_above_ground() {
     RenderScene scene;
     RenderMesh square;
@@ -291,7 +291,7 @@ TEST(RenderPicture, ShowsASquareAndItsShadow) {
     const Eigen::Vector3f middle = picture->colour(40, 40), lit = picture->colour(12, 40);
     EXPECT_GT(middle.x(), 2 * middle.y()) << "red";
     EXPECT_NEAR(lit.x(), lit.z(), 0.1) << "grey ground";
-    // The lamp stands on the left, so the shadow lies to the right.
+    // The lamp is on the left, so the shadow lies to the right.
     const Eigen::Vector3f shadow = picture->colour(55, 36);
     EXPECT_LT(shadow.sum(), 0.75f * lit.sum());
 }
@@ -301,7 +301,7 @@ TEST(RenderPicture, IsNoneWhenStopped) {
         render_picture(square_above_ground(), from_above, {.width = 8, .height = 8}, [] { return true; }));
 }
 
-// Written and read again: rounded to a byte, nothing more, the rows in their order.
+// Written and read again, an image must be rounded to a byte, and keep the order of its rows.
 TEST(Image, PngKeepsWhatItIsGiven) {
     const TemporaryDirectory folder;
     Image image;

@@ -37,7 +37,7 @@ std::string bytes_of(const fs::path& file) {
     return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-/// A recorded synthetic run in a folder of its own, drawn small.
+/// Recorded synthetic run in a folder of its own, drawn small.
 class Render : public ::testing::Test {
   protected:
     Render() : run(synthetic_run()) {
@@ -69,7 +69,8 @@ class Render : public ::testing::Test {
     SyntheticRun run;
 };
 
-// A picture that depended on how threads share the work could not be compared with yesterday's.
+// A picture that depended on the distribution of work among threads could not be compared with an earlier
+// one.
 TEST_F(Render, GivesTheSameBytesOnAnyNumberOfThreads) {
     std::string first;
     for (const int threads : {1, 2, 7}) {
@@ -168,7 +169,7 @@ TEST_F(Render, RefusesWhatItCannotDrawBeforeItWritesAnything) {
     EXPECT_EQ(folder.contents(), before);
 }
 
-/// What ffprobe says of a film: pictures a second, and how many there are.
+/// Output of ffprobe for a film: pictures a second, and their number.
 std::string probed(const fs::path& film) {
     const std::string command =
         "ffprobe -v error -select_streams v -show_entries "
@@ -181,7 +182,7 @@ std::string probed(const fs::path& film) {
     return text;
 }
 
-// A film of some pictures only, or one that a player cannot open, would be worse than none.
+// A film with a few pictures only, or one that a player cannot open, would be worse than none.
 TEST_F(Render, MakesAFilmInSlowMotion) {
     RenderOptions wanted = options("pictures");
     wanted.film = folder.path / "film.mp4";
@@ -191,7 +192,7 @@ TEST_F(Render, MakesAFilmInSlowMotion) {
     EXPECT_EQ(rendering.files.back(), wanted.film);
     EXPECT_FALSE(fs::exists(folder.path / "film.mp4.part"));
     EXPECT_EQ(probed(wanted.film), "4/1,9");
-    // Four pictures from frame to frame: those at frames are the frames, the others are all different.
+    // Four pictures from frame to frame: those at frames are the frames, the others all differ.
     RenderOptions stills = options("stills");
     stills.frames = "all";
     const std::vector<fs::path> frames = render_recording(stills).files;
@@ -218,7 +219,7 @@ TEST_F(Render, MakesAFilmAlone) {
     EXPECT_EQ(run_sherd({"render", "run.h5"}, folder.path).exit_code, 2) << "nowhere to draw";
 }
 
-// ffmpeg tells of no failure where the disk is full at the end, and its film has no beginning then.
+// ffmpeg reports no failure if the disk is full at the end, when its film has no header.
 TEST_F(Render, AFullDiskLeavesNoFilm) {
     ProgramLimits limits;
     limits.file_bytes = 4000;
@@ -241,7 +242,7 @@ TEST_F(Render, SaysThatFfmpegIsMissing) {
     EXPECT_FALSE(fs::exists(folder.path / "film.mp4.part"));
 }
 
-// Ctrl-C in the middle of a film: what is there must open, and nothing else may be there.
+// Ctrl-C in the middle of a film: existing files must open, and no others may remain.
 TEST_F(Render, LeavesWholePicturesWhenInterrupted) {
     std::vector<std::string> words{SHERD_PROGRAM, "render", "run.h5",    "-o",  "pictures",
                                    "--frames",    "all",    "--samples", "120", "--film",
@@ -270,7 +271,7 @@ TEST_F(Render, LeavesWholePicturesWhenInterrupted) {
     EXPECT_FALSE(fs::exists(folder.path / "film.mp4.part"));
 }
 
-// The frame in which a run blew up is the one that its user wants to see.
+// The frame in which a run diverged is the one that its user needs to see.
 TEST_F(Render, DrawsWhatIsLeftOfARunThatBlewUp) {
     run.frames[2].position(0, 3) = std::numeric_limits<double>::quiet_NaN();
     run.frames[2].position(2, 9) = std::numeric_limits<double>::infinity();
@@ -283,7 +284,7 @@ TEST_F(Render, DrawsWhatIsLeftOfARunThatBlewUp) {
     EXPECT_GT((image.colours.rowwise().maxCoeff() - image.colours.rowwise().minCoeff()).minCoeff(), 0.2f);
 }
 
-// A sheet drawn as thick as its scene says before --set would be drawn wrong.
+// A sheet drawn with the thickness before --set would be wrong.
 TEST_F(Render, TakesTheSceneAsItWasRun) {
     run.header.scene_text += "# --set sheet.left.material.thickness=0.007\n# --set seed=3\n";
     const Scene scene = recorded_scene(run.header);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is drawn of the tips of cracks: at their place, in the colour of what they bear.
+// Marks of crack tips in pictures: at their place, in the colour of their load.
 #include "app/render/render_tip.h"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ TEST(RenderTip, IsABallThatPointsAlongItsDirection) {
     EXPECT_TRUE(tip_marks({}, Vector3d::Zero()).vertices.empty());
 }
 
-/// The synthetic run with two tips.
+/// Synthetic run with two tips.
 class RenderTips : public ::testing::Test {
   protected:
     RenderTips() : run(synthetic_run()) {
@@ -74,7 +74,7 @@ TEST_F(RenderTips, StandWhereTheyAreInTheColourOfWhatTheyBear) {
     EXPECT_TRUE(stage.scene(recording.frame(0), {}, {}).meshes.back().vertices.empty()) << "none yet";
 }
 
-// Else a picture without tips would be taken for a run in which none moves.
+// Otherwise a picture without tips would be taken for a run in which none propagates.
 TEST_F(RenderTips, AreAnErrorWhereThereAreNone) {
     record(synthetic_run(), folder.path / "none.h5");
     const Recording recording(folder.path / "none.h5");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// If one of these fails, a textured bowl is drawn in white, or in colours that are not its own.
+// Otherwise a textured bowl is drawn in white, or in wrong colours.
 #include "app/render/surface_paint.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// One colour all over.
+/// Writes a JPEG file of a single colour.
 void write_jpeg(const fs::path& file, int width, int height, std::array<JSAMPLE, 3> colour) {
     jpeg_compress_struct jpeg{};
     jpeg_error_mgr errors{};
@@ -50,7 +50,7 @@ class Painted : public testing::Test {
   protected:
     Painted() : run(synthetic_run()) { write_jpeg(folder.path / "green.jpg", 9, 5, {20, 200, 30}); }
 
-    /// All frames look like this, where `change` does not say otherwise of the number of faces.
+    /// Applies `change` to the look of all frames, with their numbers of faces.
     template <class Change>
     void look(Change change) {
         for (Snapshot& frame : run.frames) change(frame.rest.look, frame.faces.size());
@@ -73,7 +73,7 @@ class Painted : public testing::Test {
         options.force = true;
         return options;
     }
-    /// How many pixels are far more of one colour than of the others.
+    /// Number of pixels of which one colour far exceeds the others.
     std::array<int, 3> pixels() const {
         const Image image = read_png(folder.path / "picture.png");
         std::array<int, 3> count{};
@@ -142,7 +142,7 @@ TEST_F(Painted, AFaceShowsItsOwnPartOfThePicture) {
     }
 }
 
-// What lies in a .mtl is as often damaged as it is a picture.
+// Pictures of a .mtl are as often damaged as other files.
 TEST(Jpeg, IsReadAndFaultsAreTold) {
     const TemporaryDirectory folder;
     write_jpeg(folder.path / "a.jpg", 7, 3, {250, 128, 0});

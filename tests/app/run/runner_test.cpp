@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whoever runs scenes relies on what observers are told: a step, a frame or an end that is told late, twice
-// or not at all is a recording with holes.
+// Programs that run scenes depend on observers: a step, a frame or an end that is reported late, twice or not
+// at all leaves a recording with gaps.
 #include "app/run/runner.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace sherd::test {
 namespace {
 
-/// A disc that falls, ten steps of it, a frame every four.
+/// Disc that falls for ten steps, with a frame every four.
 const std::string falling = R"(duration = 0.01
 [sheet.disc]
 mesh = { generate = "disc", radius = 0.1, edge_length = 0.05 }
@@ -31,11 +31,11 @@ Runner runner_of(const std::string& text) {
     return {scene, build_scene(scene, warnings)};
 }
 
-/// Writes down what it is told: steps as numbers, frames and the end as words.
+/// Records its calls: steps as numbers, frames and the end as words.
 struct Witness : RunObserver {
     std::string told;
-    std::int64_t last_step = 1000;   ///< after which it wants an end
-    std::int64_t worst_step = 1000;  ///< in which it throws
+    std::int64_t last_step = 1000;   ///< step after which it requests an end
+    std::int64_t worst_step = 1000;  ///< step in which it throws
 
     void stepped(const StepReport& report, const CrackEvents&) override {
         told += " " + std::to_string(report.step);
@@ -64,7 +64,7 @@ TEST(Runner, TellsEveryStepAndTheFramesOfTheScene) {
     EXPECT_GE(totals.newton_iterations, 10);
 }
 
-// Who steps a scene by hand records it by what observers are told.
+// Programs that make single steps record them through observers.
 TEST(Runner, TellsFramesOfSingleSteps) {
     Runner runner = runner_of(falling);
     Witness witness;
@@ -107,7 +107,7 @@ TEST(Runner, GoesOnFromWhereSingleStepsHaveLed) {
     EXPECT_TRUE(one.velocity == other.velocity);
 }
 
-// Against a wrong axis cracks that follow the grain would seem to cross it.
+// With a wrong axis, cracks along the grain would seem to cross it.
 TEST(RecordingHeader, HasTheAxesOfAMaterialThatHasDirections) {
     const auto header_of = [](const std::string& text) {
         const Scene scene = parse_scene(text, "scene.toml");

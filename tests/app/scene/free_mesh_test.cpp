@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A closed mesh with a density must become the body that its solid is, and no other mesh may.
+// A closed mesh with a density must become the body of its solid, and no other mesh may.
 #include <gtest/gtest.h>
 
 #include "app/scene/build/built_scene.h"
@@ -19,7 +19,7 @@ ProgramResult check_of_mesh(const std::string& mesh, const std::string& obstacle
     return run_sherd({"check", "scene.toml"}, directory.path);
 }
 
-/// A box of 1 by 2 by 3 m about (5, 0, 0); faces: how many of its twelve triangles.
+/// Box of 1 by 2 by 3 m about (5, 0, 0). faces: number of its twelve triangles.
 std::string box_mesh(int faces = 12) {
     std::string text;
     for (int i = 0; i < 8; ++i)
@@ -31,8 +31,8 @@ std::string box_mesh(int faces = 12) {
     return text;
 }
 
-// A mesh becomes the body that its solid is: a box of twelve triangles is as heavy, and turns and lies, as
-// `box` is. (Its surface pushes sheets, its vertices what else there is.)
+// A mesh must become the body of its solid: a box of twelve triangles has the mass and inertia of `box`. (Its
+// surface touches sheets, its vertices all else.)
 TEST(FreeMesh, AClosedMeshBecomesAFreeBody) {
     const std::string placed =
         "place = { translate = [0, 0, 3], rotate = { axis = [1, 2, 0], degrees = 40 } }\nvelocity = [1, 0, "
@@ -64,7 +64,7 @@ TEST(FreeMesh, AClosedMeshBecomesAFreeBody) {
     }
 }
 
-// What is no solid has no mass: without a word the body would be as heavy as its holes make it.
+// An open mesh has no mass: otherwise the body's mass would depend on its holes, without a message.
 TEST(FreeMesh, AFreeBodyOfAMeshThatIsNoSolidIsRefused) {
     const ProgramResult open = check_of_mesh(box_mesh(11), "mesh = \"solid.obj\"\ndensity = 10");
     EXPECT_EQ(open.exit_code, 2) << open.out;
@@ -91,7 +91,8 @@ TEST(FreeMesh, AFreeBodyOfAMeshThatIsNoSolidIsRefused) {
         << whole.out;
 }
 
-// The distances of a mesh reach as far out as the largest ball is large: it would sink in up to its centre.
+// The distances of a mesh must extend as far as the radius of the largest ball: otherwise the ball would sink
+// in up to its centre.
 TEST(FreeMesh, AMeshIsFeltByABallAsFarOffAsItIsLarge) {
     const TemporaryDirectory directory;
     directory.write("solid.obj", box_mesh());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A program gives a scene meshes as plain arrays, and relies on it that rows keep their numbers.
+// A program that gives a scene meshes as plain arrays depends on the numbers of its rows.
 #include <gtest/gtest.h>
 
 #include "app/scene/build/built_scene.h"

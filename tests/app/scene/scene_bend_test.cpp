@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A sheet that starts bent must have the curvature that the scene says, with no stretch, and be unstressed
-// when flat: else whatever is let go begins with energy that nobody gave it.
+// A sheet that starts bent must have the curvature of the scene, without stretch, and be unstressed when
+// flat: otherwise it starts with a wrong energy.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace sherd::test {
 namespace {
 
-/// A strip of 1 m by 0.2 m, 5 mm thick, without contraction across, on its side.
+/// Strip of 1 m by 0.2 m, 5 mm thick, without contraction across, on its side.
 std::string bent_strip(const std::string& sheet, const std::string& more = "") {
     return R"(duration = 1
 force.gravity = [0, 0, 0]
@@ -57,7 +57,7 @@ TEST(SceneBend, OfPinnedEndsHoldsThemWhereTheyStart) {
         EXPECT_EQ(shell.fixed[v] != 0, shell.position.col(v) == start.col(v)) << v;
 }
 
-// An obstacle must be compared with where the sheet is, not with its shape at rest.
+// Obstacles must be compared with the positions of the sheet, not with its rest shape.
 TEST(SceneBend, MeetsObstaclesWhereItStarts) {
     const auto beside = [](const char* bend) {
         return bent_strip(bend,

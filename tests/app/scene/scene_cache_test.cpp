@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An obstacle with a point cache: its vertices must go where the cache says, placed and scaled like its mesh,
-// and what does not fit must be told with its line.
+// Obstacle with a point cache: its vertices must follow the cache, placed and scaled like its mesh, and
+// faults must be reported with their line.
 #include <gtest/gtest.h>
 
 #include "app/scene/build/built_scene.h"
@@ -17,10 +17,10 @@ namespace sherd::test {
 namespace {
 
 const std::string above_cached = replaced(plate_and_thing, "0.002", "0.05");
-/// A quadrangle, a vertex that no face uses, and a triangle beside it.
+/// Quadrangle, a vertex that no face uses, and a triangle beside it.
 const std::string cached_mesh = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 9 9 9\nv 2 0 0\nf 1 2 3 4\nf 2 6 3\n";
 
-/// Its vertices, raised by each sample's number.
+/// Vertices of this mesh, raised by each sample's number.
 std::vector<Positions> raised_samples(int count) {
     std::vector<Positions> all;
     for (int s = 0; s < count; ++s) {
@@ -106,7 +106,7 @@ TEST_F(SceneCache, RefusesWhatDoesNotFit) {
     expect_refused("mesh = \"hand.stl\"\ncache = \"hand.pc2\"", "no numbered vertices");
 }
 
-// A cache that is over, or has hardly begun, is the usual mistake: its frames are other seconds.
+// A common mistake is a cache that has ended, or hardly begun, because its frames have another rate.
 TEST_F(SceneCache, WarnsOfWhatTheRunDoesNotSee) {
     const auto warned = [&](const std::string& cache) {
         const Scene read = scene("mesh = \"hand.obj\"\ncache = { file = \"hand.pc2\", " + cache + " }\n");

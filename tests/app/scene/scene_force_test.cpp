@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A load or a support that arrives wrongly, or nowhere, makes a run worthless without a word.
+// A load or a support that is wrong or missing makes a run worthless without a message.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@
 namespace sherd::test {
 namespace {
 
-// The plate 0 <= x <= 2, 0 <= y <= 1.
+// Plate 0 <= x <= 2, 0 <= y <= 1.
 const std::string plate = R"(duration = 0.1
 [sheet.plate]
 mesh = { generate = "rectangle", width = 2, height = 1, edge_length = 0.25 }
@@ -95,7 +95,7 @@ box = [[1.999, -1, -1], [2.001, 2, 1]]
               std::string::npos);
 }
 
-// A quarter of the plate behind two planes: vertices stay in them while the plate falls from its clamp.
+// A quarter of the plate behind two planes: vertices must stay in them while the plate falls from its clamp.
 TEST(SceneSupport, ClampsAndSymmetryPlanesHoldThroughARun) {
     const Prepared prepared = prepare(plate + R"(clamp = { box = [[-1e-6, -1, -1], [1e-6, 2, 1]] }
 symmetry = [{ point = [0, 1, 0], normal = [0, 2, 0] }, { point = [2, 0, 0], normal = [1, 0, 0] }]
@@ -122,7 +122,7 @@ step = 1e-2
     EXPECT_GT(drop, 1e-3);
 }
 
-// Roller bearings: what is left free has to move, and nothing else; what all supports leave free, not more.
+// Roller bearings: free directions must move, and no others; of several supports, the directions free in all.
 TEST(SceneSupport, PinsLeaveDirectionsFree) {
     const Prepared prepared = prepare(plate + R"(pin = [
     { box = [[-1e-6, -1, -1], [1e-6, 2, 1]], free = ["x", "y"] },
@@ -179,7 +179,7 @@ TEST(SceneSupport, FreedomThatCannotBeIsRefused) {
     says("clamp = { boundary = true, free = [\"x\"] }", "clamp.free: is of pins only");
 }
 
-// The left side turns about its own middle, the right one about the place that is given.
+// The left side turns about its own centre, the right one about the given one.
 TEST(SceneSupport, PinsAndClampsMoveAsTheirKeysSay) {
     const Prepared prepared = prepare(plate + R"(
 pin = { box = [[-1e-6, -1, -1], [1e-6, 2, 1]], motion = "linear", keys = [

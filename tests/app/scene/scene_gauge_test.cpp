@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A gauge at the wrong place would be believed.
+// The values of a gauge at a wrong place would be trusted.
 #include <gtest/gtest.h>
 
 #include "meshops/error.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Groups of a mesh file through the real program: if one of these fails, a run holds or loads the wrong part.
+// Groups of a mesh file through the real program: otherwise a run holds or loads the wrong part.
 #include <gtest/gtest.h>
 
 #include "tests/support/program.h"
@@ -8,12 +8,12 @@
 namespace sherd::test {
 namespace {
 
-// Two squares side by side, and the edge they share.
+// Two squares side by side, and their common edge.
 const std::string strip =
     "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\no strip\ng handle\nf 1 2 5 4\ng blade\nf 2 3 6 "
     "5\n";
 
-/// Runs `command` on a scene of the strip with these lines in its sheet, and these behind it.
+/// Runs `command` on a scene of the strip with the lines `sheet` in its sheet, and `behind` at its end.
 ProgramResult outcome(const std::string& command, const std::string& sheet, const std::string& behind = "",
                       const std::string& mesh = "\"strip.obj\"") {
     const TemporaryDirectory directory;
@@ -63,7 +63,7 @@ TEST(SceneGroup, AnUnknownGroupIsNamedWithTheNearest) {
     }
 }
 
-// The border between groups stays where it is, whatever triangles there are.
+// Remeshing must not move the border between groups.
 TEST(SceneGroup, RemeshingKeepsGroups) {
     const auto pinned = [](const std::string& group) {
         const ProgramResult result = outcome("check", "pin = { group = \"" + group + "\" }", "",

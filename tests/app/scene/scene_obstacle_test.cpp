@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a scene says of its obstacles must arrive as it was written, and what cannot be must be told with its
-// line, before the run.
+// Obstacles must be those of the scene, and faults be reported with their line, before the run.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -58,7 +57,7 @@ TEST(SceneObstacle, ShapesAreWhereTheyArePlaced) {
                 1e-15);
 }
 
-// Turned about the placed centre, not about the origin of the scene.
+// The rotation is about the placed centre, not about the origin of the scene.
 TEST(SceneObstacle, KeysMoveItFromWhereItWasPlaced) {
     const Obstacle box = obstacle_of(R"(box = { size = [2, 2, 4], centre = [1, 0, 0] }
 place.translate = [9, 0, 0]
@@ -77,7 +76,7 @@ const std::string octahedron =
     "v 1 0 0\nv -1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nv 0 0 -1\nf 1 3 5\nf 3 2 5\nf 2 4 5\nf 4 1 5\n"
     "f 3 1 6\nf 2 3 6\nf 4 2 6\n";
 
-/// What checking an octahedron (size 2 m) of a mesh file says.
+/// Output of `sherd check` for an octahedron (size 2 m) of a mesh file.
 ProgramResult checked(const std::string& mesh, const std::string& obstacle) {
     const TemporaryDirectory directory;
     directory.write("solid.obj", mesh);
@@ -85,7 +84,7 @@ ProgramResult checked(const std::string& mesh, const std::string& obstacle) {
     return run_sherd({"check", "scene.toml"}, directory.path);
 }
 
-// Files lie beside the scene, whatever the working directory is.
+// File names are relative to the scene, whatever the working directory.
 TEST(SceneObstacle, AMeshFileBecomesASolid) {
     const TemporaryDirectory directory;
     directory.write("solid.obj", octahedron + "f 1 4 6\n");
@@ -101,7 +100,7 @@ TEST(SceneObstacle, AMeshFileBecomesASolid) {
     EXPECT_EQ(solid.surface->triangles.size(), 8u);
 }
 
-// A hundredth of the diagonal of a grain is finer than OpenVDB's voxels may be.
+// A hundredth of a grain's diagonal is finer than OpenVDB's smallest voxels.
 TEST(SceneObstacle, AGrainOfHalfAMillimetreIsASolid) {
     const TemporaryDirectory directory;
     directory.write("solid.obj", octahedron + "f 1 4 6\n");
@@ -130,7 +129,7 @@ TEST(SceneObstacle, AMeshThatEnclosesNothingIsRefused) {
     EXPECT_NE(fine.err.find("make them larger"), std::string::npos) << fine.err;
 }
 
-// Drawn surfaces must be the ones that sheets touch, closed, and face outward.
+// Drawn surfaces must be those of contact, closed, and face outward.
 TEST(SceneObstacle, DrawnSurfacesAreThoseOfTheSolids) {
     for (const std::string& text :
          {std::string("sphere = { radius = 0.5, centre = [1, 0, 0] }"),
@@ -235,7 +234,8 @@ TEST(SceneObstacle, WhatCannotBeIsToldWithItsLine) {
                  {"scene.toml:9: obstacle.thing.motion", "did you mean \"smooth\"?"});
 }
 
-// A sheet that starts inside would be shot out; the user must hear which, how far, and of what.
+// A sheet that starts inside would be thrown out; the message must name the sheet, the depth and the
+// obstacle.
 TEST(SceneObstacle, ASheetThatStartsInsideIsNamed) {
     const TemporaryDirectory directory;
     const auto outcome = [&](const std::string& command, double height) {
@@ -259,7 +259,7 @@ TEST(SceneObstacle, ASheetThatStartsInsideIsNamed) {
     EXPECT_EQ(outcome("check", 0.998).out.find("start inside"), std::string::npos) << "it lies on the plane";
 }
 
-// Unless proof is asked for, it runs, and is neither flung out nor falls through.
+// Unless the scene is strict, the sheet must run, and neither be thrown out nor fall through.
 TEST(SceneObstacle, ASheetThatStartsInsideStaysThere) {
     const TemporaryDirectory directory;
     directory.write("scene.toml", plate_and_thing + "plane = { point = [0, 0, 0.9995] }\n");
@@ -269,8 +269,7 @@ TEST(SceneObstacle, ASheetThatStartsInsideStaysThere) {
     EXPECT_NE(run.err.find("it is pushed only where it gets deeper"), std::string::npos) << run.err;
 }
 
-// The corner of a box between the vertices of a face: none of them is inside, and yet nothing good could
-// come.
+// The corner of a box between the vertices of a face: no vertex is inside, but contact would be wrong.
 TEST(SceneObstacle, AFaceThatStartsAcrossASurfaceIsNamed) {
     const TemporaryDirectory directory;
     const auto outcome = [&](const std::string& command, const std::string& box) {
@@ -296,7 +295,7 @@ TEST(SceneObstacle, AFaceThatStartsAcrossASurfaceIsNamed) {
         std::string::npos);
 }
 
-// All sheets are looked at together; the numbers are still those of the sheet alone.
+// All sheets are tested together; the numbers must still be those of the single sheet.
 TEST(SceneObstacle, OfSeveralSheetsTheOneThatIsInTheWayIsNamed) {
     const TemporaryDirectory directory;
     directory.write("square.obj", "v 0 0 0\nv 0.1 0 0\nv 0.1 0.1 0\nv 0 0.1 0\nf 1 2 3\nf 1 3 4\n");
@@ -316,7 +315,7 @@ TEST(SceneObstacle, OfSeveralSheetsTheOneThatIsInTheWayIsNamed) {
         }
         return std::string("no error");
     };
-    // Through the triangle beyond the diagonal, whose middle is at a third and two thirds of the square.
+    // Through the triangle beyond the diagonal, whose centre is at a third and two thirds of the square.
     const std::string across = message_of("{ size = [1e-3, 1e-3, 0.1], centre = [1.03, 0.07, 0.97] }");
     EXPECT_NE(
         across.find("1 of 2 faces of sheet.at1 start across its surface, face 1 at (1.033, 0.06667, 1) m"),
@@ -329,7 +328,7 @@ TEST(SceneObstacle, OfSeveralSheetsTheOneThatIsInTheWayIsNamed) {
     EXPECT_EQ(near.find("at1"), std::string::npos) << near;
 }
 
-// Springs of 1e9 N/m would fling it out at a hundred metres a second.
+// Springs of 1e9 N/m would throw it out at a hundred metres a second.
 TEST(SceneObstacle, ABodyThatStartsInAnotherOneIsNamed) {
     const TemporaryDirectory directory;
     const auto outcome = [&](double height) {

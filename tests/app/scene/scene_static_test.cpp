@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Statics are what proofs and designs are computed with: the load at which something happens is their result.
+// Statics serve for verification and design: their result is the load of an event.
 #include <gtest/gtest.h>
 
 #include "meshops/error.h"
@@ -9,7 +9,7 @@
 namespace sherd::test {
 namespace {
 
-/// A cantilever of 10 m by 1 m under an end load of 4 N (Sze, Liu, Lo 2004).
+/// Cantilever of 10 m by 1 m under an end load of 4 N (Sze, Liu, Lo 2004).
 const std::string cantilever = R"(
 [sheet.strip]
 mesh = { generate = "rectangle", width = 10, height = 1, edge_length = 0.5 }
@@ -48,7 +48,7 @@ TEST(Statics, ReachLargeDeflectionsUnderTheirLoad) {
     EXPECT_FALSE(run->arrived()) << "that is for paths and cracks";
 }
 
-// The path ends at the very load, whatever the steps, with what load control finds there.
+// The path must end exactly at the load, whatever the steps, at the equilibrium of load control.
 TEST(Statics, APathEndsAtTheSameEquilibrium) {
     const auto run = simulation_of(cantilever + "step = 0.13\narc_length = true");
     StepReport report;
@@ -112,7 +112,7 @@ step = 0.5
     }
 }
 
-// Each would otherwise be taken for something that statics cannot do, or not be heard.
+// Otherwise each would be taken for a limitation of statics, or be ignored.
 TEST(Statics, RefuseWhatNeedsTime) {
     const auto message = [](const std::string& text) { return thrown_by([&] { built_from(text); }); };
     const std::string loose = R"([sheet.plate]
@@ -138,7 +138,7 @@ material = { density = 1, thickness = 0.01, young = 1e6, poisson = 0 }
               std::string::npos);
 }
 
-// What can move as a whole has no equilibrium, and says so instead of flying away.
+// A sheet that can move as a whole has no equilibrium, and must give a message instead of flying away.
 TEST(Statics, SayWhatIsNotHeld) {
     const auto run = simulation_of(R"([sheet.plate]
 mesh = { generate = "rectangle", width = 1, height = 1, edge_length = 0.2 }

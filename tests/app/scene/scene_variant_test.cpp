@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A variant that changes more or less than it says makes a comparison of variants worthless.
+// A variant that changes more or less than its keys makes a comparison of variants worthless.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -78,7 +78,7 @@ TEST(SceneVariant, OverridesWinAndTheTextSaysWhatWasRun) {
     EXPECT_EQ(scene_of(tube).text, tube);
 }
 
-// Lines 10 to 12 of these scenes are the variant's.
+// Lines 10 to 12 of these scenes belong to the variant.
 TEST(SceneVariant, MistakesAreToldWhereTheyStand) {
     const auto mistake = [](const std::string& lines) {
         return variant_message(tube + "[[variant]]\nname = \"a\"\n" + lines, {{}, "a"});

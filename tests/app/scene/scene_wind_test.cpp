@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Wind of a scene: what is asked for must blow, on the sheet that is meant, and the same way every time.
+// Wind of a scene must have the given values, act on the given sheet, and be the same every time.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -94,7 +94,7 @@ TEST(SceneWind, MistakesAreNamed) {
          "force.wind[1].sheet: a sheet is in the wind of");
 }
 
-// The gusts' size and pace are what a user sees; the sums are over many places and times.
+// Users see the size and rate of the gusts; the sums are over many places and times.
 TEST(SceneWind, GustsHaveTheSizeTheLengthAndThePaceThatAreGiven) {
     const GustSpec gust{2, 0.3, 0.5};
     const auto wind = [&](std::int64_t seed) {
@@ -126,7 +126,8 @@ TEST(SceneWind, GustsHaveTheSizeTheLengthAndThePaceThatAreGiven) {
     }
     const auto rms = [&](double sum) { return std::sqrt(sum / count); };
     EXPECT_NEAR(rms(square), 2, 0.1);
-    // A wave of length l differs by 2 pi way / l over a way along it; the mean over directions and octaves.
+    // A wave of length l differs by 2 pi s / l over a distance s along it; the mean over directions and
+    // octaves.
     const double wavelengths = 2 * std::acos(-1) / std::sqrt(3.0) * 1.18;
     EXPECT_NEAR(rms(nearby), 2 * wavelengths * 0.02 / 0.5, 0.1) << "over a twenty-fifth of the length";
     EXPECT_NEAR(rms(carried), 2 * 2 * std::acos(-1) * 1.16 * 0.012 / 0.3, 0.1)
@@ -136,7 +137,7 @@ TEST(SceneWind, GustsHaveTheSizeTheLengthAndThePaceThatAreGiven) {
 
 TEST(SceneWind, TheSameSeedGivesTheSameBitsAndAnotherOneOthers) {
     const auto positions = [](std::int64_t seed) {
-        std::vector<SheetInput> inputs;  // of the seed of the scene, so that only the air differs
+        std::vector<SheetInput> inputs;  // seed of the scene, so that only the air differs
         SimulationOptions options = prepare(gusty, inputs);
         if (seed != 7) options.stepper.shell.winds[0].gusts = gust_waves({2, 0.3, 0.5}, {5, 0, 0}, seed);
         Simulation simulation(inputs, options);
@@ -149,7 +150,7 @@ TEST(SceneWind, TheSameSeedGivesTheSameBitsAndAnotherOneOthers) {
     EXPECT_EQ(positions(8), positions(8));
 }
 
-// The free flag goes with the wind, the pinned one streams out behind its pole.
+// The free flag must move with the wind, the pinned one stream out behind its pole.
 TEST(SceneWind, BlowsFlags) {
     std::vector<SheetInput> inputs;
     const SimulationOptions options = prepare(

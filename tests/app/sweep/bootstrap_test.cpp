@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Error bars that are too short are a result that is none.
+// Error bars that are too short make a false result.
 #include "app/sweep/bootstrap.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,8 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-// Of many values of a normal distribution the interval is that of theory, 1.96 standard errors either way.
+// For many values of a normal distribution the interval must be that of theory, 1.96 standard errors either
+// way.
 TEST(Bootstrap, IntervalIsThatOfTheNormalDistribution) {
     constexpr int count = 400;
     const Distribution normal{Distribution::Kind::normal, 5, 2};

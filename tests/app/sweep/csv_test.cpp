@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tables of studies are read by spreadsheets and by this program: no cell may change on its way.
+// Spreadsheets and this program read tables of studies: no cell may change.
 #include "app/sweep/csv.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ RC_GTEST_PROP(Csv, WhatIsWrittenIsReadBack, ()) {
     RC_ASSERT(parse_csv(csv_text(rows), "a.csv") == rows);
 }
 
-// A name that begins like the mark of a file's encoding would lose that, or be refused, when it is read back.
+// A name that begins like a file's encoding mark would lose that, or be refused, when it is read back.
 TEST(Csv, MarksOfEncodingsAreKeptInCells) {
     for (const std::string mark : {"\xEF\xBB\xBF", "\xFF\xFE", "\xFE\xFF"}) {
         const CsvRows rows{{mark + "row", mark}, {mark, "2"}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which points a study has: a wrong one is a run of something that nobody asked for.
+// Points of a study: a wrong one is a run that was not requested.
 #include "app/sweep/design.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ Study drawn(Design design, std::int64_t seed) {
     return study;
 }
 
-/// How many different whole parts a column of the points has.
+/// Number of different integer parts in a column of the points.
 std::size_t strata(const std::vector<Values>& points, std::size_t column) {
     std::set<double> different;
     for (const Values& point : points) different.insert(std::floor(std::stod(point[column])));
@@ -66,7 +66,7 @@ TEST(StudyDesign, LatinHypercubeHasEachStratumOnceInEachParameter) {
 
 TEST(StudyDesign, LatinHypercubeShufflesItsParameters) {
     const std::vector<Values> points = design_points(drawn(Design::latin, 1));
-    double sum = 0;  // of products of what differs from the mean
+    double sum = 0;  // sum of products of the deviations from the mean
     for (const Values& point : points) sum += (std::stod(point[0]) - 25) * (std::stod(point[1]) - 25);
     EXPECT_LT(std::abs(sum / 50), 0.5 * 50 * 50 / 12) << "one parameter tells the other";
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What has been run is not run again, whatever killed the program that wrote it down.
+// A row with a result is not run again, whatever killed the program that recorded it.
 #include "app/sweep/result_journal.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What Slurm is asked for: a task without enough time or memory is killed, one with too much waits for ever.
+// Requests to Slurm: a task without enough time or memory is killed, one with too much waits forever.
 #include "app/sweep/slurm.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is made of the results of a study: its table, its summary, its curves.
+// Table, summary and curves of a study's results.
 #include "app/sweep/study_table.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a study file may say, and that a wrong one is refused with its line before anything runs.
+// Study files: a wrong one must be refused with its line before anything runs.
 #include "app/sweep/study.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// If one of these fails, the page of a textured bowl shows other pictures, materials or colours than its own.
+// Otherwise the page of a textured bowl shows wrong pictures, materials or colours.
 #include "app/view/page_look.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 using Numbers = std::vector<std::uint32_t>;
 
-/// The synthetic run, whose sheets have a look that is another one in each frame.
+/// Synthetic run, whose sheets have a different look in each frame.
 class LookOfPage : public ::testing::Test {
   protected:
     LookOfPage() : run(synthetic_run()) {

@@ -24,7 +24,7 @@ TEST(ViewFrames, AreThinnedToTheRoomThereIs) {
     EXPECT_EQ(shown_frames(1, 1000000, 10), (Frames{0}));
 }
 
-/// The synthetic run as a page has it.
+/// Synthetic run as a page has it.
 class View : public ::testing::Test {
   protected:
     View() : run(synthetic_run()) { record(run, folder.path / "run.h5"); }
@@ -42,7 +42,7 @@ class View : public ::testing::Test {
     std::vector<std::string> warnings;
 };
 
-// A page that lost a face's corner or its fragment on the way would show another run.
+// A page that lost a face's corner or its fragment would show another run.
 TEST_F(View, BuildsEveryFrameFromTheChanges) {
     for (const Frames& frames : {Frames{0, 1, 2}, Frames{0, 2}}) {
         const Json page = data(frames);
@@ -76,7 +76,7 @@ TEST_F(View, KeepsPositionsToAFewMillionthsOfTheSize) {
             for (int k = 0; k < 3; ++k)
                 shift(k, v) = page["low"][k].get<double>() +
                               packed[3 * v + k] * page["step"][k].get<double>() - position(k, v);
-        // Seen from the middle of the action: the same shift for all.
+        // Positions are relative to the centre of the action: the same shift for all.
         const Vector3d first = shift.col(0);
         for (int k = 0; k < 3; ++k)
             EXPECT_LE((shift.colwise() - first).row(k).cwiseAbs().maxCoeff(),
@@ -84,7 +84,7 @@ TEST_F(View, KeepsPositionsToAFewMillionthsOfTheSize) {
     }
 }
 
-// The brightest colour is what the bar calls so, and pressure the darkest.
+// The brightest colour is the largest value of the bar, and pressure the darkest.
 TEST_F(View, ShowsStressInsteadOfStrain) {
     EXPECT_EQ(data({0})["scalar"], "strain");
     add_fields(run);
@@ -112,7 +112,7 @@ TEST_F(View, ShowsStressInsteadOfStrain) {
     EXPECT_THROW(view_page(options, warnings), Error) << "a thinned mesh has none";
 }
 
-// Tips that stand beside their cracks, or are missing, would tell a wrong story of how they ran.
+// Tips beside their cracks, or missing tips, would show a wrong propagation.
 TEST_F(View, HasTheTipsOfEachFrame) {
     EXPECT_EQ(data({0, 1})["tips"], false);
     add_tips(run);
@@ -136,7 +136,7 @@ TEST_F(View, HasTheTipsOfEachFrame) {
     EXPECT_LT((way - Vector3d(0.05, 0, -0.02)).norm(), 1e-7);
 }
 
-// Thickness and obstacles that do not fit the frames would be drawn wrong, or not at all.
+// Thickness and obstacles that do not fit the frames would be drawn wrongly, or not at all.
 TEST_F(View, HasTheThicknessAndWhereObstaclesAre) {
     run.header.rest_thickness.assign(run.header.rest_faces.size(), 0.004);
     set_rest(run);
@@ -177,7 +177,7 @@ TEST_F(View, DrawsCracksAsCracksAndTheRimAsRim) {
     EXPECT_EQ(count(1, 2), 16) << "two lips of eight edges";
 }
 
-// What the build puts into the program must be the files as they are, and the page must stand alone.
+// The files must be in the program unchanged, and the page must not load anything else.
 TEST_F(View, PageIsWholeAndAsksForNothingElse) {
     ViewOptions options;
     options.recording = folder.path / "run.h5";
@@ -222,7 +222,7 @@ TEST_F(View, LeavesFramesOutWithAWarning) {
     EXPECT_EQ(warnings.back().find("merged"), std::string::npos) << warnings.back();
 }
 
-/// A square of `sides` x `sides` squares, torn in two along its middle in the second of two frames.
+/// Square of `sides` x `sides` squares, torn in two along its middle in the second of two frames.
 struct TornSquare {
     RecordingHeader header;
     std::vector<Snapshot> frames;
@@ -268,7 +268,7 @@ TornSquare torn_square(Index sides) {
     return square;
 }
 
-// A crack that thinning joins, or a fragment that it pulls at, would show another run.
+// A crack closed by thinning, or a distorted fragment, would show another run.
 TEST(MeshThinning, KeepsFragmentsApartAndTheirShape) {
     const TornSquare square = torn_square(60);
     const MeshThinning thinning(square.header, square.frames[0].face_sheet, 0.1);
@@ -293,7 +293,7 @@ TEST(MeshThinning, KeepsFragmentsApartAndTheirShape) {
     }
 }
 
-// Else colours would be those of places elsewhere.
+// Otherwise colours would be those of other places.
 TEST(MeshThinning, KeepsTheFieldsOfFacesWhereTheyAre) {
     const TornSquare square = torn_square(40);
     Snapshot frame = square.frames[0];
@@ -311,7 +311,7 @@ TEST(MeshThinning, KeepsTheFieldsOfFacesWhereTheyAre) {
     EXPECT_EQ(coarse.fields.stress_top.size(), 0);
 }
 
-// What is too large must still open, in about the room that was given.
+// A page that is too large must still open, with about the given size.
 TEST_F(View, ThinsALargeMeshWithAWarning) {
     const TornSquare square = torn_square(250);
     {

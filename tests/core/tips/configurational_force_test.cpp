@@ -19,7 +19,7 @@ test::SlitPatch curved_slit(int edges = 3, const Material& material = test::patc
     return test::slit_patch(test::curved_patch(), edges, material);
 }
 
-/// The shell with its rest shape moved by `shift` for each metre of an axis, elastic as before.
+/// Shell whose rest shape is moved by `shift` for each metre of an axis, with its elasticity kept.
 Shell with_advanced_tip(const Shell& shell, const TipShift& shift, int axis, double length) {
     Shell there = shell;
     for (std::size_t i = 0; i < shift.vertices.size(); ++i)
@@ -35,7 +35,7 @@ Shell with_advanced_tip(const Shell& shell, const TipShift& shift, int axis, dou
     return there;
 }
 
-/// Minus the derivative of all elastic energies, by making the whole shell anew.
+/// Minus the derivative of all elastic energies, from shells rebuilt at shifted rest shapes.
 ConfigurationalForce differenced(const test::SlitPatch& patch, const Positions& x, int rings,
                                  const std::vector<MirrorHinge>& mirrors) {
     const VertexFaces around(patch.shell);
@@ -68,14 +68,14 @@ void expect_as_differenced(const test::SlitPatch& patch, const std::vector<Mirro
     }
 }
 
-// A term that is left out, of the faces' areas, their curvatures or the angles, would show here, far from
-// any equilibrium.
+// A missing term, of the faces' areas, their curvatures or the angles, gives wrong stress intensities. The
+// positions are far from any equilibrium.
 TEST(ConfigurationalForce, IsTheDerivativeOfTheEnergyByTheRestShape) {
     expect_as_differenced(flat_slit());
     expect_as_differenced(curved_slit());
 }
 
-// The elasticity of wood stays with the sheet when its vertices move.
+// The elasticity of wood must stay with the sheet when its vertices move.
 TEST(ConfigurationalForce, IsTheDerivativeForOrthotropicSheetsToo) {
     expect_as_differenced(flat_slit(3, oak_of_tips));
     expect_as_differenced(curved_slit(3, oak_of_tips));
@@ -98,7 +98,7 @@ TEST(ConfigurationalForce, IsTheDerivativeBesideMirrorsToo) {
     expect_as_differenced(patch, mirrors);
 }
 
-// Its energy is another one: a figure that is wrong would not be noticed.
+// The energy of arcs differs: a wrong value would not be noticed.
 TEST(ConfigurationalForce, IsRefusedForArcs) {
     const test::SlitPatch patch = flat_slit();
     const VertexFaces around(patch.shell);
@@ -106,7 +106,7 @@ TEST(ConfigurationalForce, IsRefusedForArcs) {
                  std::invalid_argument);
 }
 
-// What drives a crack must not depend on where a piece flies, nor on where it was drawn.
+// The force that drives a crack must not depend on a fragment's motion, nor on the place of the rest shape.
 TEST(ConfigurationalForce, DoesNotChangeWithRigidMotionOfEitherShape) {
     test::Random random(2);
     const Matrix3d turn = random.rotation();
@@ -127,7 +127,7 @@ TEST(ConfigurationalForce, DoesNotChangeWithRigidMotionOfEitherShape) {
     EXPECT_LT(here.at(turn * patch.shell.rest).sum().norm(), 1e-9 * expected.sum().norm());
 }
 
-// Rings that reach another tip, or the outer boundary, give nonsense.
+// Rings that reach another tip, or the outer boundary, give wrong values.
 TEST(CrackTip, RingsEndBeforeForeignVertices) {
     for (const auto& [edges, rings] : {std::pair(1, 1), {2, 2}, {3, 2}, {5, 1}}) {
         const test::SlitPatch patch = flat_slit(edges);
@@ -138,7 +138,7 @@ TEST(CrackTip, RingsEndBeforeForeignVertices) {
     }
 }
 
-// Both lips belong to the first ring.
+// Both crack faces belong to the first ring.
 TEST(CrackTip, FirstRingHasBothLips) {
     const test::SlitPatch patch = flat_slit();
     int behind = 0;

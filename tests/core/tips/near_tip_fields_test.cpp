@@ -41,7 +41,7 @@ Vector2d gradient_there(const Vector2d& at) {
     return membrane_field(glass_at_tip, mixed_modes, at).along_gradient;
 }
 
-// A field that is no equilibrium, or whose displacement is not that of its stress, gives other factors on
+// A field that is no equilibrium, or whose displacement does not fit its stress, gives different factors on
 // each contour.
 TEST(NearTipFields, MembraneIsInEquilibriumAndCompatible) {
     for (const Vector2d& at : places_around()) {
@@ -70,7 +70,7 @@ TEST(NearTipFields, MembraneHasItsFactorsAheadAndFreeLips) {
 PlateField plate_there(const Vector2d& at) {
     return plate_field(glass_at_tip, tip_thickness, mixed_modes, at);
 }
-/// (00, 11, 01), over the rigidity.
+/// Moments (00, 11, 01) over the rigidity.
 Vector3d moments_there(const Vector2d& at) {
     const Vector3d k = plate_there(at).curvature;
     const double nu = glass_at_tip.poisson;
@@ -93,7 +93,7 @@ TEST(NearTipFields, PlateIsInEquilibriumAndCompatible) {
     }
 }
 
-// Kirchhoff's edge: no moment, and a transverse force that the change of twist makes up for.
+// Kirchhoff's free edge: no moment, and a transverse force that is balanced by the change of twist.
 TEST(NearTipFields, PlateHasItsFactorAheadAndFreeLips) {
     const double rigidity = glass_at_tip.young * std::pow(tip_thickness, 3) /
                             (12 * (1 - glass_at_tip.poisson * glass_at_tip.poisson));
@@ -111,7 +111,7 @@ TEST(NearTipFields, PlateHasItsFactorAheadAndFreeLips) {
 
 constexpr double in_degrees = 180 / std::numbers::pi;
 
-// Figures of the paper; a wrong sign turns cracks away from where they go.
+// Values of the paper; a wrong sign would turn cracks the wrong way.
 TEST(CrackDirection, MembraneTurnsAsErdoganAndSihSay) {
     EXPECT_EQ(hoop_angle({1, 0}), 0);
     EXPECT_NEAR(hoop_angle({0, 1}) * in_degrees, -70.53, 0.01);
@@ -129,7 +129,7 @@ TEST(CrackDirection, SearchFindsTheSameWithoutBending) {
     EXPECT_NEAR(hoop_direction(glass_at_tip, {2, 0}, {}).intensity, 2, 1e-9);
 }
 
-// Bending opens one surface, and a crack that only bends open runs straight.
+// Bending opens one surface, and a crack under bending of mode I alone must run straight.
 TEST(CrackDirection, BendingOpensOneSurfaceAndRunsStraight) {
     for (const double sign : {1.0, -1.0}) {
         const HoopDirection found = hoop_direction(glass_at_tip, {0.1, 0}, {sign, 0});

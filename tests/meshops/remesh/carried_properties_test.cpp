@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What remeshing carries over: if one of these fails, pins, textures and fibres are elsewhere on a remeshed
-// mesh.
+// Otherwise pins, textures and fibres are at wrong places on a remeshed mesh.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -18,8 +17,8 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// A square of 20 x 20 cells of 1 m, half of it in group `left`, whose texture coordinates are those of its
-/// place over 20, from x = 10 on moved aside by 5: a seam.
+/// Square of 20 x 20 cells of 1 m, half of it in group `left`, with its places over 20 as texture
+/// coordinates, which are shifted by 5 from x = 10 on: a seam.
 Mesh two_halves(const std::string& name) {
     const test::TemporaryDirectory directory;
     std::ofstream file(directory.path / name);
@@ -78,7 +77,7 @@ TEST(CarriedProperties, AxesAreThoseBelow) {
         }
 }
 
-// A painted scan would lose its paint, or have it elsewhere.
+// Otherwise a painted scan would lose its paint, or get it at wrong places.
 TEST(CarriedProperties, ColoursAreThoseBelow) {
     Mesh mesh = two_halves("halves.obj");
     auto at_vertex = mesh.add_property_map<Vertex, Colour>(property::vertex_colour).first;
@@ -101,7 +100,7 @@ TEST(CarriedProperties, ColoursAreThoseBelow) {
         EXPECT_EQ(face_colour[face][0], centroid(result, face).x() < 10 ? 1 : 4);
 }
 
-// Were all seams kept, nothing could be remeshed.
+// If all seams were kept, nothing could be remeshed.
 TEST(CarriedProperties, ATextureInShredsIsLostAndItSaysSo) {
     Mesh mesh = two_halves("halves.obj");
     auto texture = find_property<Face, FaceTexture>(mesh, property::texture).first;

@@ -36,7 +36,7 @@ GenerateOptions structured(double edge_length) {
     return {edge_length, Layout::structured, 1};
 }
 
-// Finer and coarser than what comes in, with straight borders that end in corners.
+// Finer and coarser than the input, with straight borders that end in corners.
 TEST(Remesh, KeepsAreaAndCornersOfARectangle) {
     for (const double edge_length : {0.03, 0.15}) {
         const Mesh mesh = remesh(generate_rectangle(1, 1, structured(0.07)), {edge_length}).mesh;
@@ -52,7 +52,7 @@ TEST(Remesh, KeepsAreaAndCornersOfARectangle) {
     }
 }
 
-/// A bowl of two walls, 0.3 mm apart.
+/// Bowl of two walls, 0.3 mm apart.
 Mesh double_bowl(double edge_length) {
     std::vector<Eigen::Vector2d> profile;
     for (const auto& [radius, from, to] : {std::array{0.05, 0.0, 1.0}, std::array{0.0497, 1.0, 0.0}})
@@ -64,7 +64,7 @@ Mesh double_bowl(double edge_length) {
     return generate_revolution(profile, {edge_length, Layout::delaunay, 1});
 }
 
-// Triangles of 12 mm are flatter than the bowl by more than its walls are apart.
+// Triangles of 12 mm deviate from the bowl by more than the distance of its walls.
 TEST(Remesh, ThinWallsThatWouldCrossStay) {
     const Mesh bowl = double_bowl(0.004);
     ASSERT_TRUE(self_intersections(bowl).empty());
@@ -75,7 +75,7 @@ TEST(Remesh, ThinWallsThatWouldCrossStay) {
     EXPECT_TRUE(result.mesh.is_valid(false));
 }
 
-// Solvers take more iterations, and explicit steps more steps, on flat triangles: nothing here forces any.
+// Flat triangles cost solvers iterations and explicit steps substeps; these shapes require none.
 TEST(Remesh, MakesNoSmallAngles) {
     for (const double edge_length : {0.02, 0.05, 0.12}) {
         const Mesh ball = generate_sphere(0.3, {0.04, Layout::delaunay, 1});
@@ -85,14 +85,14 @@ TEST(Remesh, MakesNoSmallAngles) {
     }
 }
 
-// A crack prefers the directions of a lattice: what came as a grid must not stay one.
+// Cracks prefer the directions of a lattice: a grid must not remain one.
 TEST(Remesh, TakesTheOrderFromAGrid) {
     const Mesh in = generate_rectangle(1, 1, structured(0.04));
     EXPECT_GT(test::mesh_quality(in).order, 0.3);
     EXPECT_LT(test::mesh_quality(remesh(in, {0.04}).mesh).order, 0.1);
 }
 
-/// A plate of 0.4 x 0.1 m that ends in a quarter of a tube of this radius (m).
+/// Plate of 0.4 x 0.1 m that ends in a quarter of a tube of this radius (m).
 Mesh hook(double radius) {
     Mesh mesh = generate_rectangle(0.4, 0.1, structured(0.005));
     const double bent = radius * std::numbers::pi / 2;
@@ -116,7 +116,7 @@ TEST(Remesh, EdgesAreShorterWhereItIsCurved) {
     EXPECT_GT(test::mesh_quality(adaptive.mesh).smallest_angle, 20);
 }
 
-// Scanners' noise bends edges, but is no crease that has to be kept.
+// Scanners' noise bends edges, but must not count as creases to be kept.
 TEST(Remesh, NoiseIsNoFeature) {
     Mesh ball = generate_sphere(0.1, {0.004, Layout::delaunay, 1});
     Random random(1);
@@ -132,7 +132,7 @@ TEST(Remesh, NoiseIsNoFeature) {
 
 // Between creases the surface is flat: a vertex that slips over an acute one folds the triangles there.
 TEST(Remesh, VerticesStayOnTheirSideOfCreases) {
-    Mesh blade;  // a flat pyramid of three sides
+    Mesh blade;  // flat pyramid of three sides
     const Vertex a = blade.add_vertex(Point(0, 0, 0)), b = blade.add_vertex(Point(1, 0, 0)),
                  c = blade.add_vertex(Point(0.4, 0.9, 0)), top = blade.add_vertex(Point(0.5, 0.3, 0.06));
     blade.add_face(a, c, b);
@@ -147,7 +147,7 @@ TEST(Remesh, VerticesStayOnTheirSideOfCreases) {
     }
 }
 
-// The hole of a thin handle is a hole still.
+// The hole of a thin handle must remain.
 TEST(Remesh, KeepsHandles) {
     const auto euler = [](const Mesh& mesh) {
         return int(mesh.number_of_vertices()) - int(mesh.number_of_edges()) + int(mesh.number_of_faces());
@@ -164,18 +164,18 @@ TEST(Remesh, KeepsHandles) {
     EXPECT_LT(result.mesh.number_of_faces(), ring.number_of_faces());
 }
 
-// Who remeshes must know how far off the result is: a sphere of chords is inside by their rise.
+// The result must include its distance from the input: a sphere of chords is inside by their rise.
 TEST(Remesh, TellsItsDistance) {
     const double radius = 0.1, edge = 0.03;
     const Remeshed coarse = remesh(generate_sphere(radius, {0.005, Layout::delaunay, 1}), {edge});
-    const double rise = edge * edge / (6 * radius);  // of the middle of an equilateral triangle
+    const double rise = edge * edge / (6 * radius);  // at the centre of an equilateral triangle
     EXPECT_GT(coarse.distance, 0.7 * rise);
     EXPECT_LT(coarse.distance, 3 * rise);
     EXPECT_EQ(coarse.kept, 0u) << "nothing crosses";
     EXPECT_LT(remesh(cube(), {0.1}).distance, 1e-9) << "a box of planes keeps its shape";
 }
 
-// What crosses comes so from the file: remeshing must neither stop nor keep all of it.
+// Existing intersections come from the file: remeshing must neither stop nor keep all these faces.
 TEST(Remesh, WhatCrossesBeforeMayCrossAfter) {
     Mesh two = cube();
     Mesh other = cube();
@@ -190,9 +190,8 @@ TEST(Remesh, WhatCrossesBeforeMayCrossAfter) {
     EXPECT_EQ(result.crossings, 0u);
 }
 
-// A remeshed box whose edges are cut off is no box any more.
-// A scan that crosses itself in three places would come out with forty, and with edges a hundredth as long as
-// asked for, which explicit steps take thousands of substeps for.
+// A scan that intersects itself in three places would come out with forty, and with edges a hundredth of the
+// requested length, for which explicit steps take thousands of substeps.
 TEST(Remesh, CrossesNoMoreOftenThanBefore) {
     const double edge = 0.02;
     Mesh two = generate_sphere(0.1, {edge, Layout::delaunay, 1});
@@ -210,7 +209,7 @@ TEST(Remesh, CrossesNoMoreOftenThanBefore) {
     }
 }
 
-// Sheets that touch along a seam are no sheets that cross: to keep their faces would leave a strip unmeshed.
+// Sheets that touch along a seam do not intersect: keeping their faces would leave a strip unmeshed.
 TEST(Remesh, RemeshesAlongOpenSeams) {
     Mesh two = generate_rectangle(0.1, 0.1, structured(0.02));
     Mesh other = two;
@@ -220,6 +219,7 @@ TEST(Remesh, RemeshesAlongOpenSeams) {
     for (const double asked : {0.01, 0.03}) EXPECT_EQ(remesh(two, {asked}).kept, 0u) << asked;
 }
 
+// A remeshed box must keep its edges.
 TEST(Remesh, KeepsSharpEdges) {
     const Mesh mesh = remesh(cube(), {0.1}).mesh;
     EXPECT_NEAR(test::mesh_quality(mesh).area, 6, 1e-9);
@@ -239,7 +239,7 @@ TEST(Remesh, KeepsComponentsAndStaysOnTheSurface) {
     for (const Vertex v : result.vertices()) {
         const Point& p = result.point(v);
         const double from_sphere = std::abs(std::hypot(p.x(), p.y(), p.z()) - 0.5);
-        // The triangles it started from lie up to 1.1e-3 below the sphere.
+        // The original triangles lie up to 1.1e-3 below the sphere.
         EXPECT_LT(std::min(from_sphere, std::abs(p.z())), 1.5e-3);
     }
 }
@@ -267,7 +267,7 @@ TEST(Components, AreNumberedByTheirFirstFace) {
     EXPECT_EQ(connected_components(Mesh()).count, 0);
 }
 
-// Faces that meet in a point only are two sheets: nothing bends across a point.
+// Faces that share only a point are two sheets: nothing bends across a point.
 TEST(Components, DoNotReachAcrossAPoint) {
     Mesh mesh;
     std::vector<Vertex> v;

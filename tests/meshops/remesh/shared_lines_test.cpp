@@ -16,7 +16,7 @@ namespace {
 
 using Place = std::function<Point(int, int)>;
 
-/// A sheet of columns x rows squares, each of two triangles; `closed`: its last column meets the first.
+/// Sheet of columns x rows squares, each of two triangles. closed: the last column meets the first.
 Mesh sheet(int columns, int rows, const Place& place, bool closed = false) {
     Mesh mesh;
     std::vector<std::vector<Vertex>> at(columns + 1);
@@ -40,7 +40,7 @@ Mesh plate() {
     return sheet(20, 12, [](int i, int j) { return Point(0.01 * i, 0.01 * j, 0); });
 }
 
-/// Along the sixth row of the plate, from one of its columns to another one.
+/// Fin along the sixth row of the plate, between two of its columns.
 Mesh fin(int from, int to, int below = 0) {
     return sheet(to - from, 6 + below,
                  [=](int i, int j) { return Point(0.01 * (from + i), 0.01 * 6, 0.01 * (j - below)); });
@@ -56,7 +56,7 @@ Mesh tube(double radius, int from, int to) {
         true);
 }
 
-/// The points of each sheet that `is_there` takes.
+/// Points of each sheet that `is_there` selects.
 std::vector<std::set<Point>> points(const Mesh& mesh, const std::function<bool(const Point&)>& is_there) {
     const auto parts = connected_components(mesh);
     std::vector<std::set<Point>> found(parts.count);
@@ -82,8 +82,8 @@ bool is_below_fin(const Point& p) {
     return std::abs(p.y() - 0.06) < 1e-9 && std::abs(p.z()) < 1e-9;
 }
 
-// What repair has cut apart at an edge of three or four faces touched in vertices, which need no exemption
-// from contact. In faces it would cross.
+// Sheets that repair separated at an edge of three or four faces touch in vertices, which need no exemption
+// from contact. Touching in faces they would intersect.
 TEST(SharedLines, AreDividedAlikeOnAllSheets) {
     for (const double edge_length : {0.04, 0.023, 0.012, 0.006, 0.0031}) {
         expect_one_division(together(plate(), fin(0, 20)), edge_length, is_below_fin);
@@ -101,7 +101,7 @@ TEST(SharedLines, EndWhereSheetsPart) {
         });
 }
 
-// Two layers in one place share all of their edges: were these lines, nothing could be remeshed.
+// Two layers in one place share all of their edges: if these were lines, nothing could be remeshed.
 TEST(SharedLines, AreNotThoseOfDoubledSheets) {
     const SharedEdges doubled = shared_edges(together(plate(), plate()));
     EXPECT_EQ(std::ranges::count(doubled.is_shared, 1), 0);

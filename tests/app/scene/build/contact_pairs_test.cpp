@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A dense scan that is given a thickness of many edges must not fill the memory until the system ends it.
+// A dense scan with a thickness of many edges must not fill the memory until the system kills the program.
 #include "app/scene/build/contact_pairs.h"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 namespace sherd::test {
 namespace {
 
-/// Empty if it is accepted.
+/// Message of the refusal; empty if the scene is accepted.
 std::string refusal(double thickness, const std::string& contact) {
     const TemporaryDirectory directory;
     const Scene scene = read_scene(directory.write(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// If one of these fails, an orthotropic sheet has its stiff direction elsewhere than the scene says.
+// Otherwise an orthotropic sheet has a stiff direction other than that of the scene.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -87,7 +87,7 @@ TEST(MaterialAxis, PerpendicularFacesTakeTheNextAxisAndSaySo) {
         << warnings[0];
 }
 
-/// A texture of one row of texels at these angles (degrees).
+/// Texture of one row of texels at these angles (degrees).
 Image row_of(const std::vector<double>& angles) {
     Image image;
     image.width = static_cast<int>(angles.size());
@@ -199,7 +199,7 @@ TEST(ReadPng, KeepsSixteenBitsAndRefusesWhatIsNoPng) {
         return "no error";
     };
     EXPECT_NE(message(file).find("a.png: damaged PNG file: "), std::string::npos) << message(file);
-    // libpng would make room for 256 million pixels.
+    // libpng would allocate 256 million pixels.
     std::string promising = directory.contents().at(file.string());
     promising.replace(16, 8, "\0\0\x3e\x80\0\0\x3e\x80", 8);
     EXPECT_NE(message(directory.write("d.png", promising)).find("ends before all its pixels"),

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sheets that were placed just touching, but for the rounding of a modeller, must run, and nothing may be
-// moved that anybody could see.
+// Sheets that touch up to the rounding of a modeller must run, and no visible motion may be applied.
 #include "app/scene/build/sheet_parting.h"
 
 #include <fmt/format.h>
@@ -19,7 +18,7 @@ namespace {
 
 constexpr double thickness = 0.01;  // m
 
-/// A square of side 1 m and 1 cm thick, at `place`.
+/// Square of side 1 m and 1 cm thick, at `place`.
 std::string square(const std::string& name, const std::string& place, const std::string& more = "") {
     return fmt::format(
         "[sheet.{}]\nmesh = {{ generate = \"rectangle\", width = 1, height = 1, edge_length = 0.25 }}\n"
@@ -32,7 +31,7 @@ std::string at_height(double z) {
 }
 
 struct Parted {
-    std::vector<double> moved;  ///< m, upwards, each sheet
+    std::vector<double> moved;  ///< m, upwards, of each sheet
     std::vector<std::string> warnings;
     std::string error;
     bool apart = false;
@@ -90,7 +89,7 @@ TEST(SheetParting, TheUpperOneIsLiftedWithAWarning) {
     }
 }
 
-// Lifting one would press it into the next.
+// Lifting one sheet would press it into the next.
 TEST(SheetParting, AStackIsPartedFromBelow) {
     const Parted three = parted(square("a", at_height(0)) + square("b", at_height(0.98 * thickness)) +
                                 square("c", at_height(1.96 * thickness)));
@@ -101,7 +100,7 @@ TEST(SheetParting, AStackIsPartedFromBelow) {
     EXPECT_EQ(three.warnings.size(), 2u);
 }
 
-// A pinned sheet stays where it was put; without gravity there is no upper one.
+// A pinned sheet stays in its place; without gravity no sheet is the upper one.
 TEST(SheetParting, WhatIsHeldStays) {
     const std::string pin = "pin = { boundary = true }";
     const double z = 0.97 * thickness;
@@ -113,7 +112,7 @@ TEST(SheetParting, WhatIsHeldStays) {
         -0.03 * thickness, 1e-9);
 }
 
-// What could be seen is refused, in the words of before, and nothing is moved.
+// A visible motion is refused with the earlier message, and nothing is moved.
 TEST(SheetParting, MoreThanATwentiethOfTheThicknessIsRefused) {
     const Parted two = parted(square("a", at_height(0)) + square("b", at_height(0.94 * thickness)));
     EXPECT_NE(two.error.find(") m are 0.0094 m apart, less than 0.01 m"), std::string::npos) << two.error;
@@ -124,7 +123,7 @@ TEST(SheetParting, MoreThanATwentiethOfTheThicknessIsRefused) {
     EXPECT_NE(crossing.error.find("cross or touch"), std::string::npos) << crossing.error;
 }
 
-// Between two others there is no way out.
+// A sheet between two held ones cannot be moved apart.
 TEST(SheetParting, AWedgedSheetIsRefused) {
     const std::string pin = "pin = { boundary = true }";
     const Parted three = parted(square("a", at_height(0), pin) + square("b", at_height(0.98 * thickness)) +
@@ -133,7 +132,7 @@ TEST(SheetParting, AWedgedSheetIsRefused) {
     EXPECT_EQ(three.moved, (std::vector<double>{0, 0, 0}));
 }
 
-// Unless a scene asks for proof, the same sheets run, with a warning that says which do not see each other.
+// Unless a scene is strict, the same sheets run, with a warning that names those that do not collide.
 TEST(SheetParting, WhatCannotBePartedIsExemptByDefault) {
     const Parted crossing =
         parted(square("a", at_height(0)) +
@@ -147,7 +146,7 @@ TEST(SheetParting, WhatCannotBePartedIsExemptByDefault) {
     EXPECT_NE(crossing.warnings[0].find("cross or touch"), std::string::npos);
 }
 
-// The axes of a run whose sheets were moved are made from the scene again, in which they are not.
+// Axes for pictures are made again from the scene, in which the sheets have not been moved.
 TEST(SheetParting, AxesOfWhatWasMovedCanStillBeDrawn) {
     const TemporaryDirectory directory;
     const auto orthotropic = [](const std::string& name, double z) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rigid tools that close on a sheet farther than it is thick did 200 J of work on a foil of 1 g, without a
-// word.
+// Rigid tools whose gap became smaller than a sheet's thickness once did 200 J of work on a foil of 1 g,
+// without a message.
 #include "app/scene/build/squeeze.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace sherd::test {
 namespace {
 
-/// A sheet of 1 mm at z = 0, held at its rim.
+/// Sheet of 1 mm at z = 0, held at its rim.
 const std::string held = R"(duration = 0.1
 [sheet.foil]
 mesh = { generate = "rectangle", width = 0.1, height = 0.1, edge_length = 0.02 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// If one of these fails, a sheet is weak elsewhere than its map or its score says.
+// Otherwise a sheet is weak in other places than those of its map or score.
 #include "app/scene/build/strength_map.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ using Eigen::Vector3d;
 constexpr std::uint16_t full = 65535;
 constexpr Colour16 black{0, 0, 0}, white{full, full, full}, blue{0, 0, full};
 
-/// A square of 4 x 4 squares from (0, 0) to (1, 1) whose texture coordinates are `texture` of its positions.
+/// Square of 4 x 4 squares from (0, 0) to (1, 1) whose texture coordinates are `texture` of its positions.
 template <class Texture>
 void write_square(const std::filesystem::path& file, const Texture& texture) {
     TriangleSheet sheet = triangle_sheet(grid(4, 4));
@@ -55,7 +55,7 @@ class StrengthMaps : public testing::Test {
     StrengthMaps() {
         write_square(directory.path / "square.obj", [](const Vector2d& p) { return p; });
     }
-    /// The factors of the square with this [fracture], and its mesh as it is placed.
+    /// Returns the factors of the square with this [fracture], and sets `mesh` to its mesh as placed.
     std::vector<double> factors(const std::string& fracture, const std::string& more = "") {
         const Scene scene = read_scene(directory.write(
             "scene.toml",
@@ -80,8 +80,8 @@ class StrengthMaps : public testing::Test {
     std::vector<std::string> warnings;
 };
 
-// Black on the left, a third of white (blue) on the right: linear between the texels' middles, u = 1/4 and
-// 3/4.
+// Black on the left, a third of white (blue) on the right: linear between the centres of the texels, u = 1/4
+// and 3/4.
 TEST_F(StrengthMaps, TextureIsLookedUpAtTheMiddleOfEdges) {
     write_png(directory.path / "a.png", 2, 1, {black, blue});
     const auto grey = [](double u) { return std::clamp((u - 0.25) / 0.5, 0.0, 1.0) / 3; };
@@ -105,7 +105,7 @@ TEST_F(StrengthMaps, TextureHasItsTopAtTheTop) {
         }
 }
 
-// The two faces of a seam lie on islands far apart; what is between the islands does not matter.
+// The two faces of a seam are on islands far apart; the texture between the islands must not count.
 TEST_F(StrengthMaps, ASeamIsTheMeanOfWhatItsFacesSee) {
     directory.write("square.obj",
                     "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0.1 0.5\nvt 0.125 0.5\nvt 0.875 0.5\nvt 0.9 0.5\n"
@@ -135,7 +135,7 @@ TEST_F(StrengthMaps, MultipliesTheScatter) {
     for (std::size_t e = 0; e < found.size(); ++e) EXPECT_NEAR(found[e], 0.5 * scatter[e], 1e-12);
 }
 
-// What never breaks does not do so where another map or the scatter says that it breaks at once.
+// Unbreakable edges must stay so where another map or the scatter gives strength zero.
 TEST_F(StrengthMaps, NeverKeepsWhatIsWhiteWhole) {
     write_png(directory.path / "a.png", 2, 1, {black, white});
     write_png(directory.path / "b.png", 1, 1, black);
@@ -157,7 +157,7 @@ TEST_F(StrengthMaps, NeverKeepsWhatIsWhiteWhole) {
     EXPECT_GT(whole, 10);
 }
 
-// A map or a score of the toughness leaves the strength alone, and the other way round.
+// A map or a score of the toughness must not change the strength, nor the other way round.
 TEST_F(StrengthMaps, ChangeTheLawThatTheySay) {
     write_png(directory.path / "a.png", 1, 1, white);
     const std::string text =
@@ -181,7 +181,7 @@ TEST_F(StrengthMaps, ChangeTheLawThatTheySay) {
     EXPECT_NE(told.out.find("times 0.05 to 0.5, edge by edge"), std::string::npos) << told.out;
 }
 
-// A grid that was exported beside the mesh stays with it when the scene scales and places it.
+// A grid that was exported beside the mesh must move with it when the scene scales and places it.
 TEST_F(StrengthMaps, GridMovesWithTheMesh) {
     const auto value = [](double x, double y, double z) { return 1 + x - 0.5 * y + z; };
     write_vdb(directory.path / "a.vdb", {vdb_grid("s", 0.1, {{-2, -2, -2}, {12, 12, 2}}, 1.0f, value)});
@@ -255,7 +255,7 @@ TEST_F(StrengthMaps, ScoresMultiplyWhereTheyMeet) {
     }
 }
 
-// A disc held at two opposite sides and pressed down between them breaks along the score across it, and
+// A disc held at two opposite sides and pressed down between them must break along the score across it, and
 // nowhere else.
 TEST(BreakingScore, ADiscBreaksAlongItAndNowhereElse) {
     const TemporaryDirectory directory;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// If one of these fails, a sheet is thin elsewhere than its map says.
+// Otherwise a sheet is thin in other places than those of its map.
 #include "app/scene/build/thickness.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr Colour16 grey{21845, 21845, 21845}, bright{65535, 65535, 65535};  // a third, and all
+constexpr Colour16 grey{21845, 21845, 21845}, bright{65535, 65535, 65535};  // a third, and full
 
 class ThicknessMaps : public testing::Test {
   protected:
@@ -38,7 +38,7 @@ class ThicknessMaps : public testing::Test {
         write_png(directory.path / "a.png", 2, 1, {grey, bright});
         directory.write("square.ply", with_property("0.002", "0.004"));
     }
-    /// A square of two triangles, in a file that has a vertex more than the mesh.
+    /// Square of two triangles, in a file with an additional vertex.
     static std::string with_property(const std::string& left, const std::string& right) {
         return "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float "
                "z\n"
@@ -74,7 +74,7 @@ TEST_F(ThicknessMaps, OfOneNumberIsThisNumber) {
     EXPECT_EQ(mapped.material.thickness, 0.003);
 }
 
-// Linear between the middles of the two texels, u = 1/4 and 3/4.
+// Linear between the centres of the two texels, u = 1/4 and 3/4.
 TEST_F(ThicknessMaps, TextureIsLookedUpAtTheVertices) {
     const SheetInput ranged = input("{ texture = \"a.png\", range = [0.006, 0.002] }");
     const SheetInput scaled = input("{ texture = \"a.png\", scale = 0.008 }",
@@ -99,7 +99,7 @@ TEST_F(ThicknessMaps, PropertyReachesRemeshedMeshes) {
         EXPECT_NEAR(made.thickness[v], 0.002 + 0.002 * position(made.mesh, v).x(), 1e-12);
 }
 
-// And so are texture coordinates.
+// Remeshing must not move texture coordinates, either.
 TEST_F(ThicknessMaps, TextureReachesRemeshedMeshes) {
     const SheetInput made =
         input("{ texture = \"a.png\", range = [0.006, 0.002] }", "{ file = \"square.obj\", remesh = 0.07 }");
@@ -111,7 +111,7 @@ TEST_F(ThicknessMaps, TextureReachesRemeshedMeshes) {
         }
 }
 
-// A grid stays with the mesh that the scene scales and places; its values are metres all the same.
+// A grid must move with the mesh that the scene scales and places, with unscaled values in metres.
 TEST_F(ThicknessMaps, GridMovesWithTheMesh) {
     const auto value = [](double x, double y, double) { return 0.001 + 0.002 * x + 0.001 * y; };
     write_vdb(directory.path / "t.vdb", {vdb_grid("t", 0.1, {{-2, -2, -2}, {12, 12, 2}}, 1.0f, value)});
@@ -145,7 +145,7 @@ TEST_F(ThicknessMaps, PropertyIsThatOfTheFilesVertices) {
     }
 }
 
-// The same source serves maps of the strength: an edge has the mean of its ends.
+// Strength maps may use this source, too: an edge has the mean of its ends.
 TEST_F(ThicknessMaps, PropertyMayBeAStrengthToo) {
     const Scene scene = read_scene(directory.write(
         "scene.toml", text("0.003", "\"square.ply\"") +
@@ -239,7 +239,7 @@ TEST_F(ThicknessMaps, CheckTellsTheRangeAndTheMass) {
         EXPECT_NE(result.out.find(line), std::string::npos) << result.out << result.err;
 }
 
-// The number of a scene with a table is given on the command line as any other.
+// The command line can replace a table by a number like any other value.
 TEST_F(ThicknessMaps, AreReplacedByANumber) {
     const Scene scene =
         read_scene(directory.write("scene.toml", text("{ property = \"thick\" }", "\"square.ply\"")),

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scenes by name: if one of these fails, a newcomer does not find what comes with the program, or runs
-// another scene than the one he meant.
+// Scenes by name: otherwise a newcomer does not find the shipped scenes, or runs a wrong one.
 #include "app/scene/read/shipped_scenes.h"
 
 #include <gtest/gtest.h>
@@ -89,7 +88,7 @@ TEST(ShippedScenes, AreFoundByNameWhereNoFileIsMeant) {
 
 TEST(ShippedScenes, GiveWayToAnyFileOfTheUsersOwn) {
     const TemporaryDirectory directory;
-    // Would be a scene if it were not empty.
+    // A scene, were it not empty.
     directory.write("plate_drop.toml", "");
     ProgramResult result = run_sherd({"check", "plate_drop"}, directory.path);
     EXPECT_EQ(result.exit_code, 2);
