@@ -22,9 +22,8 @@ struct BodyOrigin {
 /// One implicit time step as energies see it. The time scheme defines the velocity as a function of the
 /// positions x at the step's end,
 ///     v(x) = (x - origin) / lag,
-/// and the acceleration, (v(x) - velocity_origin) / (where lag). They are those at the share `where` of the
-/// step: at its end, or in its middle, where elastic forces then act, too. For implicit Euler the origins are
-/// the positions and velocities at the beginning, and the lag is the step's length.
+/// and the acceleration, (v(x) - velocity_origin) / lag, at the end of the step. For implicit Euler the
+/// origins are the positions and velocities at the beginning, and the lag is the step's length.
 struct StepContext {
     double begin = 0;           ///< s
     double length = 0;          ///< s
@@ -34,27 +33,19 @@ struct StepContext {
     std::vector<BodyOrigin> bodies;
     double inertia = 1;  ///< share of the masses' inertia that acts: 0 in statics
     double load = 1;     ///< factor of all loads
-    double where = 1;
 
     void visit_state(StateVisitor& visit) {
-        auto& [begin, length, lag, origin, velocity_origin, bodies, inertia, load, where] = *this;
-        visit(begin, length, lag, origin, velocity_origin, bodies, inertia, load, where);
+        auto& [begin, length, lag, origin, velocity_origin, bodies, inertia, load] = *this;
+        visit(begin, length, lag, origin, velocity_origin, bodies, inertia, load);
     }
 
     double end() const { return begin + length; }  ///< s
     /// The squared time, s^2, that displacements from the inertial prediction have to become accelerations.
-    double square() const { return where * lag * lag; }
+    double square() const { return lag * lag; }
     /// m/s. x: [3, V] m.
     Positions velocity(const Positions& x) const { return (x - origin) / lag; }
     /// m/s^2.
-    Positions acceleration(const Positions& x) const {
-        return (velocity(x) - velocity_origin) / (where * lag);
-    }
-    /// Velocity at the end of the step, m/s.
-    Positions end_velocity(const Positions& x) const {
-        if (where == 1) return velocity(x);
-        return velocity_origin + (velocity(x) - velocity_origin) / where;
-    }
+    Positions acceleration(const Positions& x) const { return (velocity(x) - velocity_origin) / lag; }
 };
 
 }  // namespace sherd

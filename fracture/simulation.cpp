@@ -86,8 +86,7 @@ Simulation::Simulation(BreakableShell sheets, const SimulationOptions& options)
       fragments(breakable.mesh(), breakable.face_areas()),
       obstacles_touched(options.stepper.contact.obstacles.size(), 0),
       bodies_touched(options.stepper.contact.bodies.size(), 0),
-      step_size(options.stepper.step,
-                options.adaptive ? StepSize::Growth::steady : StepSize::Growth::doubling),
+      step_size(options.stepper.step),
       pace(little_fall(breakable.mechanics(), options.stepper)),
       scripts(breakable.mechanics().motions.size()) {}
 

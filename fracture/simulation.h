@@ -40,7 +40,6 @@ struct SimulationOptions {
     /// s. One that cannot go on (Stepper::solve throws) is made by implicit ones, as some after it are.
     bool alternates = false;
     double explicit_step = 2e-6;
-    bool adaptive = false;  ///< implicit steps get shorter where something strikes or breaks, too
     /// End with the first hinges that fail. The step is halved as far as it can be to find their moment; no
     /// new equilibrium is sought.
     bool until_crack = false;

@@ -16,18 +16,12 @@ int halvings_to(double length, double step) {
 }  // namespace
 
 Urgency Simulation::judged(const StepReport& report, const Measured& measured) {
-    if (stepper->scheme() == Scheme::explicit_differences || !(options.alternates || options.adaptive))
-        return Urgency::none;
+    if (stepper->scheme() == Scheme::explicit_differences || !options.alternates) return Urgency::none;
     const PotentialEnergies stored = stepper->energies();
-    StepActivity solved{report.peak_overload, false, stored.contact, stepper->taken_by_scheme(),
+    StepActivity solved{report.peak_overload, fails(measured), stored.contact, stepper->taken_by_scheme(),
                         kinetic_energy(breakable.mechanics()) + stored.stored()};
     for (const RigidBody& body : bodies()) solved.energy += body.kinetic_energy();
-    if (options.alternates) {
-        solved.fails = fails(measured);
-        return pace.judge(solved);
-    }
-    const bool could_be_shorter = step_size.size() > options.stepper.step / 64;
-    return could_be_shorter && pace.is_too_long(solved) ? Urgency::strike : Urgency::none;
+    return pace.judge(solved);
 }
 
 bool Simulation::try_otherwise(StepReport& report) {

@@ -6,7 +6,6 @@ namespace {
 
 constexpr double much_energy = 5e-3;      // of the largest, in a step
 constexpr double near_failure = 0.7;      // of what something withstands, which implicit peaks underrate
-constexpr double far_beyond = 1.2;        // of the same
 constexpr int soon = 8, most_quiet = 64;  // implicit steps; whole steps
 
 }  // namespace
@@ -30,10 +29,6 @@ Urgency StepPace::judge(const StepActivity& solved) const {
     if (implicit_steps < calming) return Urgency::none;
     if (solved.overload > near_failure) return Urgency::stress;
     return strikes(solved) ? Urgency::strike : Urgency::none;
-}
-
-bool StepPace::is_too_long(const StepActivity& solved) const {
-    return solved.overload > far_beyond || strikes(solved);
 }
 
 void StepPace::implicit_finished(const StepActivity& step, bool whole) {

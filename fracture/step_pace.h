@@ -9,7 +9,7 @@
 
 namespace sherd {
 
-/// Why an implicit step should be shorter, or be made of explicit ones.
+/// Why an implicit step is made of explicit ones, or an explicit one of implicit ones.
 enum class Urgency : std::uint8_t {
     none,
     strike,       ///< something strikes, and the time scheme takes much of its energy
@@ -41,8 +41,6 @@ class StepPace {
     explicit StepPace(double little = 0) : little(little) {}
     /// Of an implicit step that has been solved.
     Urgency judge(const StepActivity& solved) const;
-    /// Whether it should be shorter: it strikes, or goes far over what something withstands.
-    bool is_too_long(const StepActivity& solved) const;
     /// An implicit step has been finished; whole: at a multiple of the nominal length.
     void implicit_finished(const StepActivity& step, bool whole);
     /// Explicit steps follow.

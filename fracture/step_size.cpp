@@ -24,10 +24,6 @@ void StepSize::resume() {
 void StepSize::advance() {
     done += ticks();
     if (is_kept || length == whole) return;
-    if (growth == Growth::steady) {
-        length = std::min(whole, length + length / 20);
-        return;
-    }
     if (++successes < enough || done % (2 * length) != 0) return;
     length *= 2;
     successes = 0;

@@ -6,18 +6,14 @@
 
 namespace sherd {
 
-/// The length of time steps: it is the nominal one, is halved when a step shall be shorter, and grows again
-/// after steps that succeed. No step crosses a multiple of the nominal length.
+/// The length of time steps: it is the nominal one, is halved when a step shall be shorter, and doubles
+/// after four steps that succeed. No step crosses a multiple of the nominal length.
 class StepSize {
   public:
-    enum class Growth {
-        doubling,  ///< after four steps that succeed
-        steady     ///< by 5 % after each of them
-    };
     static constexpr int most_halvings = 10;  ///< the smallest step is 1/1024 of the nominal one
 
     /// nominal: s.
-    explicit StepSize(double nominal, Growth growth = Growth::doubling) : nominal(nominal), growth(growth) {}
+    explicit StepSize(double nominal) : nominal(nominal) {}
 
     double size() const { return seconds(ticks()); }  ///< s, length of the next step
     double time() const { return seconds(done); }     ///< s, end of the last step
@@ -49,7 +45,6 @@ class StepSize {
     }
 
     double nominal;
-    Growth growth;
     std::int64_t done = 0;        ///< ticks
     std::int64_t length = whole;  ///< ticks, that the next step has if there is room
     int successes = 0;            ///< steps since the last change of length

@@ -20,12 +20,12 @@ const Hinges nonlinear{"NH", "(NH, NH)", "(NH, NH)", "solver.bending=nonlinear"}
     cubic{"CS", "(CS, CS)", "(NH, NH)", "solver.bending=cubic"},
     coupled{"coupled", "coupled", "coupled", "solver.bending=coupled"};
 
-/// Newton's method as it was, in a pairing of the paper with another Jacobian.
+/// Newton's method in a pairing of the paper with another Jacobian.
 SolverChoice inexact(const Hinges& hinges, const char* pairing, const char* jacobian, const char* colour) {
     return {.name = pairing,
             .energies = hinges.energies,
             .beside = hinges.beside,
-            .settings = {hinges.bending, jacobian, "solver.method=newton-2026"},
+            .settings = {hinges.bending, jacobian, "solver.method=newton"},
             .exact = false,
             .colour = colour};
 }
@@ -42,18 +42,14 @@ SolverChoice with_method(const Hinges& hinges, const char* method, const char* n
 }  // namespace
 
 std::vector<SolverChoice> solver_choices() {
-    const char* const as_it_was = "newton-2026";
-    return {with_method(nonlinear, as_it_was, "", "#000000"),
+    return {with_method(nonlinear, "newton", "", "#000000"),
             inexact(nonlinear, "(NH, CS)", "solver.jacobian=cubic", "#e69f00"),
             inexact(nonlinear, "(NH, CC)", "solver.jacobian=constant", "#f0c800"),
-            with_method(cubic, as_it_was, "", "#009e73"),
+            with_method(cubic, "newton", "", "#009e73"),
             inexact(cubic, "(CS, CC)", "solver.jacobian=constant", "#56b4e9"),
-            with_method(nonlinear, "newton", "newton ", "#888888"),
-            with_method(cubic, "newton", "newton ", "#80c8a8"),
             with_method(nonlinear, "quasi-newton", "quasi-newton ", "#d55e00"),
             with_method(cubic, "quasi-newton", "quasi-newton ", "#0072b2"),
-            with_method(coupled, as_it_was, "", "#000000"),
-            with_method(coupled, "newton", "newton ", "#888888"),
+            with_method(coupled, "newton", "", "#000000"),
             with_method(coupled, "quasi-newton", "quasi-newton ", "#cc79a7")};
 }
 

@@ -148,7 +148,6 @@ constexpr double explicit_step = 2e-6;
 struct SolverSpec {
     Scheme scheme = Scheme::implicit_euler;
     bool alternates = false;  ///< "auto": explicit steps while something strikes or cracks
-    bool adaptive = false;    ///< whether implicit steps get shorter there
     Method method = Method::quasi_newton;
     double step = 1e-4;        ///< s; in statics, of load factor, or along the path
     double load = 1;           ///< load factor at which statics end

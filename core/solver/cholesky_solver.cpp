@@ -103,8 +103,8 @@ class CholmodFactor {
     }
     CholmodFactor(const CholmodFactor&) = delete;
 
-    /// order: of vertices; none: unknowns are ordered. Returns false where the factor has more entries than
-    /// indices can count.
+    /// order: of elimination, of the vertices. Returns false where the factor has more entries than indices can
+    /// count.
     bool analyze(const BlockMatrix& matrix, const std::vector<Index>& order);
     bool factorize(const BlockMatrix& matrix);
     VectorXd solve(const VectorXd& right_side);
@@ -124,14 +124,9 @@ template <class Integer>
 bool CholmodFactor<Integer>::analyze(const BlockMatrix& matrix, const std::vector<Index>& of_vertices) {
     pattern.set_pattern(matrix);
     cholmod_sparse sparse = pattern.view(matrix);
-    if (!of_vertices.empty()) {
-        std::vector<Integer> order = of_unknowns<Integer>(of_vertices);
-        common()->method[0].ordering = CHOLMOD_GIVEN;
-        factor = Calls::analyze_p(&sparse, order.data(), nullptr, 0, common());
-    } else {
-        common()->method[0].ordering = matrix.size() < nested_dissection_from ? CHOLMOD_AMD : CHOLMOD_METIS;
-        factor = Calls::analyze(&sparse, common());
-    }
+    std::vector<Integer> order = of_unknowns<Integer>(of_vertices);
+    common()->method[0].ordering = CHOLMOD_GIVEN;
+    factor = Calls::analyze_p(&sparse, order.data(), nullptr, 0, common());
     if (common()->status == CHOLMOD_TOO_LARGE) return false;
     session.require(factor != nullptr, "analyze the matrix");
     return true;
@@ -162,11 +157,10 @@ VectorXd CholmodFactor<Integer>::solve(const VectorXd& right_side) {
 
 class CholeskySolver : public LinearSolver {
   public:
-    CholeskySolver(bool supernodal, Ordering ordering, Indices indices)
-        : supernodal(supernodal), ordering(ordering), indices(indices) {}
+    CholeskySolver(bool supernodal, Indices indices) : supernodal(supernodal), indices(indices) {}
     using LinearSolver::analyze;
     void analyze(const BlockMatrix& matrix, const std::vector<Index>& order) override {
-        if (ordering == Ordering::vertices) of_vertices = order.empty() ? elimination_order(matrix) : order;
+        of_vertices = order.empty() ? elimination_order(matrix) : order;
         wide.reset();
         if (indices == Indices::as_needed && narrow.emplace(supernodal).analyze(matrix, of_vertices)) return;
         narrow.reset();
@@ -190,9 +184,8 @@ class CholeskySolver : public LinearSolver {
 
   private:
     bool supernodal;
-    Ordering ordering;
     Indices indices;
-    std::vector<Index> of_vertices;  ///< their order, unless unknowns are ordered
+    std::vector<Index> of_vertices;  ///< the order in which they are eliminated
     // One of these:
     std::optional<CholmodFactor<int>> narrow;
     std::optional<CholmodFactor<SuiteSparse_long>> wide;
@@ -200,16 +193,16 @@ class CholeskySolver : public LinearSolver {
 
 }  // namespace
 
-std::unique_ptr<LinearSolver> cholesky_solver(Ordering ordering, Indices indices) {
-    return std::make_unique<CholeskySolver>(true, ordering, indices);
+std::unique_ptr<LinearSolver> cholesky_solver(Indices indices) {
+    return std::make_unique<CholeskySolver>(true, indices);
 }
 
 std::unique_ptr<LinearSolver> indefinite_solver() {
-    return std::make_unique<CholeskySolver>(false, Ordering::vertices, Indices::as_needed);
+    return std::make_unique<CholeskySolver>(false, Indices::as_needed);
 }
 
 double factor_size(const BlockMatrix& matrix) {
-    CholeskySolver solver(true, Ordering::vertices, Indices::as_needed);
+    CholeskySolver solver(true, Indices::as_needed);
     solver.analyze(matrix);
     return solver.factor_entries();
 }

@@ -34,12 +34,6 @@ struct LinearSolver {
     virtual FactorCost cost() const = 0;
 };
 
-/// What the ordering of a factorization looks at.
-enum class Ordering {
-    vertices,  ///< the graph of block rows, which a ninth of the entries describes
-    unknowns   ///< the graph of scalar rows
-};
-
 /// What CHOLMOD counts entries of a factor with.
 enum class Indices {
     as_needed,  ///< 32 bits, or 64 where the factor has more than 2^31 entries
@@ -48,8 +42,7 @@ enum class Indices {
 
 /// A solver with CHOLMOD's supernodal Cholesky factorization, in one thread: a second one never helped at
 /// these sizes. It wants positive definite matrices.
-std::unique_ptr<LinearSolver> cholesky_solver(Ordering ordering = Ordering::vertices,
-                                              Indices indices = Indices::as_needed);
+std::unique_ptr<LinearSolver> cholesky_solver(Indices indices = Indices::as_needed);
 
 /// A solver in single precision, with half the memory and time, or in double precision where a matrix is too
 /// badly scaled for that. It wants positive definite matrices.

@@ -13,10 +13,7 @@ namespace sherd {
 class Newton : public Minimiser {
   public:
     /// tolerance: m; the method has converged when the largest coordinate of a correction is below it.
-    explicit Newton(double tolerance = 1e-9, Thrift thrift = Thrift::remembers)
-        : tolerance(tolerance),
-          system(cholesky_solver(thrift == Thrift::forgets ? Ordering::unknowns : Ordering::vertices),
-                 thrift) {}
+    explicit Newton(double tolerance = 1e-9) : tolerance(tolerance), system(cholesky_solver()) {}
     void topology_changed(const ShellChange& change, const Potential& potential, const Positions& x) override;
     MinimiserResult minimise(Potential& potential, int max_iterations, Positions& x) override;
     void set_tolerance(double value) override { tolerance = value; }

@@ -27,7 +27,7 @@ void NewtonSystem::analyze(const Potential& potential, const Positions& x) {
     matrix = potential.hessian_pattern(x);
     contact_pairs = potential.contacts(x).size();
     const Stopwatch watch(potential.time_spent(), Task::analysis);
-    if (thrift == Thrift::remembers && cost_of_own > 0 && keeps_order()) return;
+    if (cost_of_own > 0 && keeps_order()) return;
     parents.clear();
     order.clear();
     solver->analyze(*matrix, order);
@@ -62,8 +62,7 @@ void NewtonSystem::fit_pattern(const Potential& potential, const Positions& x) {
     const Stopwatch watch(potential.time_spent(), Task::contact);
     const bool fits =
         std::ranges::all_of(pairs, [&](const auto& pair) { return matrix->has(pair.first, pair.second); });
-    const bool is_worn = thrift == Thrift::remembers &&
-                         static_cast<double>(contact_pairs) > many_pairs * matrix->size() &&
+    const bool is_worn = static_cast<double>(contact_pairs) > many_pairs * matrix->size() &&
                          static_cast<double>(pairs.size()) < few_left * static_cast<double>(contact_pairs);
     if (!fits || is_worn) analyze(potential, x);
 }
@@ -86,11 +85,10 @@ bool NewtonSystem::has_factor(const Potential& potential, const Positions& x, in
 
 void NewtonSystem::factorize(const Potential& potential, const Positions& x) {
     fit_pattern(potential, x);
-    if (thrift == Thrift::forgets) share = 0;
     const bool lowers = share > 0 && ++tried >= wait;
     if (lowers) --share, tried = 0;
     for (bool first = true; share < static_cast<int>(shares_of_convex.size()); ++share, first = false) {
-        const bool is_exact = !first && shares_of_convex[share - 1] == 0 && thrift == Thrift::remembers;
+        const bool is_exact = !first && shares_of_convex[share - 1] == 0;
         if (!has_factor(potential, x, share, is_exact)) continue;
         if (first && lowers) wait = 1;
         if (!first) {  // what was tried too early costs a factorization: wait longer the next time
@@ -109,7 +107,7 @@ Positions NewtonSystem::solve(const Potential& potential, const Positions& right
 }
 
 void NewtonSystem::visit_state(StateVisitor& visit) {
-    auto& [matrix, solver, thrift, share, tried, wait, parents, order, cost_of_own, contact_pairs] = *this;
+    auto& [matrix, solver, share, tried, wait, parents, order, cost_of_own, contact_pairs] = *this;
     bool known = matrix.has_value();
     visit(known, share, tried, wait, parents, order, cost_of_own, contact_pairs);
     if (visit.reads()) matrix.reset();

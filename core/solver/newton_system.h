@@ -16,27 +16,17 @@ struct IndefiniteMatrix : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// How a Hessian that is not positive definite, and a pattern that contacts have left, are treated.
-enum class Thrift {
-    /// The share of the convex matrix that did last time is tried first, and blocks of contacts that are gone
-    /// leave the pattern when they are most of those of contacts.
-    remembers,
-    /// Each matrix is tried exact first, and blocks stay until the topology changes, as up to 2026.
-    forgets
-};
-
 /// The matrix of Newton's method and its factor. The pattern is kept as long as it contains all blocks of the
-/// Hessian, also while contacts come and go.
+/// Hessian, also while contacts come and go, until most of those of contacts are unused.
 class NewtonSystem {
   public:
-    explicit NewtonSystem(std::unique_ptr<LinearSolver> solver, Thrift thrift = Thrift::remembers)
-        : solver(std::move(solver)), thrift(thrift) {}
+    explicit NewtonSystem(std::unique_ptr<LinearSolver> solver) : solver(std::move(solver)) {}
     /// Keeps in mind which vertices were born: the pattern must be made anew before the next factorization.
     void follow(const ShellChange& change);
     /// Makes the pattern anew, for Hessians near x, after vertices were split or hinges removed.
     void topology_changed(const ShellChange& change, const Potential& potential, const Positions& x);
     /// Factors the Hessian at x. If it is not positive definite, it is blended with its convex approximation,
-    /// which at last replaces it. Missing blocks of contacts make the pattern anew. Throws IndefiniteMatrix
+    /// which at last replaces it. The share that was enough last time is tried first. Missing blocks of contacts make the pattern anew. Throws IndefiniteMatrix
     /// when no matrix is positive definite.
     void factorize(const Potential& potential, const Positions& x);
     /// Solves with the last factor. right_side: [3, V].
@@ -67,7 +57,6 @@ class NewtonSystem {
 
     std::optional<BlockMatrix> matrix;
     std::unique_ptr<LinearSolver> solver;
-    Thrift thrift;
     int share = 0;                  ///< number of the share of the convex matrix that did last
     int tried = 0, wait = 1;        ///< matrices since it changed, and after how many a lower one is tried
     std::vector<Index> parents;     ///< of the vertices born since the last analysis

@@ -66,7 +66,7 @@ void Bdf2::topology_changed(const Shell& shell, const ShellChange& change, StepC
 
 void Bdf2::finish(const StepContext& step, const Positions& x, Shell& shell) {
     std::swap(previous, at_begin);
-    shell.velocity = step.end_velocity(x);
+    shell.velocity = step.velocity(x);
     shell.position = x;
 }
 

@@ -21,7 +21,7 @@ void ImplicitEuler::topology_changed(const Shell& shell, const ShellChange&, Ste
 }
 
 void ImplicitEuler::finish(const StepContext& step, const Positions& x, Shell& shell) {
-    shell.velocity = step.end_velocity(x);
+    shell.velocity = step.velocity(x);
     shell.position = x;
 }
 

@@ -10,7 +10,6 @@
 #include "core/solver/quasi_newton.h"
 #include "core/time/bdf2.h"
 #include "core/time/implicit_euler.h"
-#include "core/time/midpoint.h"
 #include "core/time/statics.h"
 
 namespace sherd {
@@ -19,20 +18,12 @@ namespace {
 std::unique_ptr<TimeScheme> time_scheme(Scheme scheme) {
     if (scheme == Scheme::statics) return std::make_unique<Statics>();
     if (scheme == Scheme::bdf2) return std::make_unique<Bdf2>();
-    if (scheme == Scheme::midpoint) return std::make_unique<Midpoint>();
     return std::make_unique<ImplicitEuler>();
 }
 
 std::unique_ptr<Minimiser> minimiser_of(const StepperOptions& options, const Threads& threads) {
-    switch (options.method) {
-        case Method::quasi_newton:
-            return std::make_unique<QuasiNewton>(options.tolerance, threads);
-        case Method::newton:
-            return std::make_unique<Newton>(options.tolerance);
-        case Method::newton_2026:
-            return std::make_unique<Newton>(options.tolerance, Thrift::forgets);
-    }
-    return nullptr;
+    if (options.method == Method::newton) return std::make_unique<Newton>(options.tolerance);
+    return std::make_unique<QuasiNewton>(options.tolerance, threads);
 }
 
 }  // namespace
@@ -43,9 +34,7 @@ ImplicitStepper::ImplicitStepper(Shell& shell, const StepperOptions& options, St
       inertia(shell, options.scheme == Scheme::statics ? Vector3d::Zero() : options.gravity),
       loads(forces.loads()),
       threads(options.threads),
-      whole(shell, forces, options.shell, threads),
-      in_the_middle(shell, whole),
-      elastic(options.scheme == Scheme::midpoint ? static_cast<Energy*>(&in_the_middle) : &whole),
+      elastic(shell, forces, options.shell, threads),
       contact(shell, options.contact, options.gravity, threads),
       potential(shell, all_energies(), spent, threads),
       minimiser(minimiser_of(options, threads)) {
@@ -55,16 +44,16 @@ ImplicitStepper::ImplicitStepper(Shell& shell, const StepperOptions& options, St
 
 void ImplicitStepper::visit_state(StateVisitor& visit) {
     static_assert(has_only<ImplicitStepper, Stepper, decltype(step), decltype(scheme), decltype(inertia),
-                           decltype(loads), decltype(threads), decltype(whole), decltype(in_the_middle),
-                           decltype(elastic), decltype(contact), decltype(opening), decltype(potential),
-                           decltype(minimiser), decltype(path), decltype(unbalanced)>());
+                           decltype(loads), decltype(threads), decltype(elastic), decltype(contact),
+                           decltype(opening), decltype(potential), decltype(minimiser), decltype(path),
+                           decltype(unbalanced)>());
     Stepper::visit_state(visit);
-    visit(step, *scheme, inertia, whole, contact, opening, *minimiser, unbalanced);
+    visit(step, *scheme, inertia, elastic, contact, opening, *minimiser, unbalanced);
     if (path) visit(*path);
 }
 
 std::vector<Energy*> ImplicitStepper::all_energies() {
-    std::vector<Energy*> all{&inertia, elastic};
+    std::vector<Energy*> all{&inertia, &elastic};
     for (const std::vector<Energy*>& some : {contact.energies(), loads, contact.frictions(), {&opening}})
         all.insert(all.end(), some.begin(), some.end());
     return all;
@@ -173,10 +162,8 @@ double ImplicitStepper::taken_by_scheme() {
 void ImplicitStepper::finish() {
     contact.finish(position);
     const StepWork of_step = work();
-    if (step.where < 1 && forces.mirrors_move())  // clamps are in the middle
-        whole.begin(step);
-    ledger.finish(of_step, stored(), moving(step.end_velocity(position), position));
-    forces.keep(elastic_position());
+    ledger.finish(of_step, stored(), moving(step.velocity(position), position));
+    forces.keep(position);
     if (path) path->finish(step, position);
     scheme->finish(step, position, shell);
     opening.finish();
@@ -194,7 +181,7 @@ std::vector<Reaction> ImplicitStepper::reactions() const {
             blocked += acceleration * shell.mass.asDiagonal();
         }
         add_reactions(shell, position, blocked, all);
-        forces.add_mirror_reactions(elastic_position(), all);
+        forces.add_mirror_reactions(position, all);
     }
     const Stopwatch watch(spent, Task::contact);
     const std::vector<Reaction> of_obstacles = contact.reactions(position);
@@ -207,7 +194,7 @@ void ImplicitStepper::add_inertia(EnergyBalance& balance, Positions& gradient) c
     const Positions force = step.acceleration(position) * shell.mass.asDiagonal();
     gradient += force - options.gravity * shell.mass.transpose();
     balance.lost_to_scheme = force.cwiseProduct(position - shell.position).sum() -
-                             kinetic_energy(shell.mass, step.end_velocity(position)) + kinetic_energy(shell);
+                             kinetic_energy(shell.mass, step.velocity(position)) + kinetic_energy(shell);
     if (const BodyContact* bodies = contact.of_bodies())
         balance.lost_to_scheme += bodies->work_of_all() - bodies->kinetic_change();
 }
@@ -215,7 +202,7 @@ void ImplicitStepper::add_inertia(EnergyBalance& balance, Positions& gradient) c
 StepWork ImplicitStepper::work() {
     const Positions moved = position - shell.position;
     Positions gradient = Positions::Zero(3, position.cols());
-    elastic->add_gradient(position, gradient);
+    elastic.add_gradient(position, gradient);
     for (const std::vector<Energy*>& some : {contact.energies(), contact.frictions()})
         for (const Energy* energy : some) energy->add_gradient(position, gradient);
     opening.add_gradient(position, gradient);
@@ -228,11 +215,11 @@ StepWork ImplicitStepper::work() {
     balance.lost_to_cracks = opening.taken();
     Positions free = gradient;
     constrain(shell, free);
-    const double of_mirrors = forces.mirror_work(step, elastic_position());
+    const double of_mirrors = forces.mirror_work(step, position);
     balance.work_of_supports = (gradient - free).cwiseProduct(moved).sum() + of_mirrors;
     balance.work_of_obstacles = contact.obstacle_work(step, position);
     balance.lost_to_friction = contact.friction_loss(position);
-    balance.lost_to_yield = forces.taken_by_yielding(elastic_position());
+    balance.lost_to_yield = forces.taken_by_yielding(position);
     all.against_stored += of_mirrors + balance.work_of_obstacles - balance.lost_to_friction -
                           balance.lost_to_yield - balance.lost_to_cracks;
     return all;

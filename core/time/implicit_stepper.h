@@ -7,7 +7,6 @@
 #include "core/state_visitor.h"
 #include "core/time/equilibrium_path.h"
 #include "core/time/inertia.h"
-#include "core/time/middle_energy.h"
 #include "core/time/released_edges.h"
 #include "core/time/stepper.h"
 #include "core/time/time_scheme.h"
@@ -49,11 +48,6 @@ class ImplicitStepper : public Stepper {
     /// have been born since the last time.
     Positions newly_unbalanced(std::span<const Heir> heirs);
     std::vector<Energy*> all_energies();
-    /// Where elastic forces act, m, [3, V].
-    Positions elastic_position() const {
-        return step.where == 1 ? position
-                               : Positions(shell.position + step.where * (position - shell.position));
-    }
     void require_apart();
     /// Moves `position` towards the prediction; returns false if scripted vertices or obstacles do not
     /// arrive.
@@ -72,9 +66,7 @@ class ImplicitStepper : public Stepper {
     Inertia inertia;
     std::vector<Energy*> loads;  ///< of `forces`
     Threads threads;
-    ElasticEnergy whole;         ///< all that is elastic
-    MiddleEnergy in_the_middle;  ///< of it
-    Energy* elastic;             ///< one of these two: what is in the potential
+    ElasticEnergy elastic;
     Contact contact;
     ReleasedEdges opening;
     Potential potential;

@@ -14,13 +14,9 @@
 
 namespace sherd {
 
-enum class Scheme { implicit_euler, bdf2, midpoint, statics, explicit_differences };
+enum class Scheme { implicit_euler, bdf2, statics, explicit_differences };
 /// How an implicit step finds its minimum.
-enum class Method {
-    quasi_newton,
-    newton,
-    newton_2026,  ///< newton as it was up to 2026, for comparison
-};
+enum class Method { quasi_newton, newton };
 
 struct StepperOptions {
     Scheme scheme = Scheme::implicit_euler;

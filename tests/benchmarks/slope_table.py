@@ -44,7 +44,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         scene = pathlib.Path(folder) / "slope.toml"
         scene.write_text(SCENE)
-        for scheme, step in (("implicit-euler", 1e-3), ("implicit-euler", 1e-4), ("bdf2", 1e-3), ("midpoint", 1e-3),
+        for scheme, step in (("implicit-euler", 1e-3), ("implicit-euler", 1e-4), ("bdf2", 1e-3),
                              ("explicit", 1e-4), ("auto", 1e-3)):
             print(f"| {scheme} | {step:g} | {creep(sys.argv[1], scene, scheme, step) / 0.5:.1e} |", flush=True)
 

@@ -124,17 +124,5 @@ TEST(AlternatingSteps, ComeBackToWholeSteps) {
     EXPECT_EQ(time, 100 * 2e-4);
 }
 
-TEST(AdaptiveSteps, AreShorterWhereSomethingStrikes) {
-    Fall fall;
-    const Course fixed = course(fall);
-    fall.options.adaptive = true;
-    const Course adaptive = course(fall);
-    EXPECT_EQ(fixed.shortest, 2e-4);
-    EXPECT_LT(adaptive.shortest, 1e-4);
-    EXPECT_GT(adaptive.rises, 1.05 * fixed.rises) << "the bounce is kept better";
-    EXPECT_LT(adaptive.unexplained, 1e-6 * adaptive.largest);
-    EXPECT_LT(adaptive.steps, 20 * fixed.steps);
-}
-
 }  // namespace
 }  // namespace sherd

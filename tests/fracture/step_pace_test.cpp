@@ -115,13 +115,5 @@ TEST(StepPace, ImplicitStepsGoOnForSomeWholeStepsWhereExplicitOnesCannot) {
     EXPECT_FALSE(pace.is_held()) << "nothing else was left";
 }
 
-TEST(StepPace, AStepIsTooLongWhereItStrikesOrGoesFarBeyondStrength) {
-    const StepPace pace;
-    EXPECT_FALSE(pace.is_too_long(calm));
-    EXPECT_FALSE(pace.is_too_long(cracking)) << "it breaks, and hardly late";
-    EXPECT_TRUE(pace.is_too_long({1.3, true, 0, 0, 10}));
-    EXPECT_TRUE(pace.is_too_long(strike));
-}
-
 }  // namespace
 }  // namespace sherd

@@ -42,19 +42,6 @@ TEST(StepSize, GrowsAfterFourStepsThatSucceed) {
     EXPECT_EQ(step.size(), 512);
 }
 
-TEST(StepSize, GrowsSteadilyByATwentieth) {
-    StepSize step(1024, StepSize::Growth::steady);
-    for (int i = 0; i < 5; ++i) step.halve();
-    const double first = step.size();
-    step.advance();
-    EXPECT_NEAR(step.size() / first, 1.05, 1e-3);
-    int steps = 0;
-    for (; step.size() < 1024; ++steps) step.advance();
-    EXPECT_GT(steps, 60);
-    EXPECT_LT(steps, 120) << "but for what ends with a whole step";
-    EXPECT_EQ(std::fmod(step.time(), 1024), 0);
-}
-
 // Explicit steps have one length, and end where implicit ones can go on.
 TEST(StepSize, KeepsALengthUntilItMayGrow) {
     StepSize step(1024);
@@ -70,8 +57,8 @@ TEST(StepSize, KeepsALengthUntilItMayGrow) {
 }
 
 // Whatever fails, no step may reach over the end of a nominal one: frames are recorded there.
-RC_GTEST_PROP(StepSize, NeverReachesOverAWholeStep, (bool steady)) {
-    StepSize step(1024, steady ? StepSize::Growth::steady : StepSize::Growth::doubling);
+RC_GTEST_PROP(StepSize, NeverReachesOverAWholeStep, ()) {
+    StepSize step(1024);
     for (int i = 0; i < 300; ++i) {
         if (*rc::gen::inRange(0, 3) == 0) step.halve();
         const double before = step.time(), size = step.size();
@@ -82,8 +69,8 @@ RC_GTEST_PROP(StepSize, NeverReachesOverAWholeStep, (bool steady)) {
 }
 
 // BDF2 loses its stability where a step is 2.41 times as long as the last one.
-RC_GTEST_PROP(StepSize, GrowsByAFactorOf2Point3AtMost, (bool steady)) {
-    StepSize step(1024, steady ? StepSize::Growth::steady : StepSize::Growth::doubling);
+RC_GTEST_PROP(StepSize, GrowsByAFactorOf2Point3AtMost, ()) {
+    StepSize step(1024);
     double last = step.size();
     for (int i = 0; i < 300; ++i) {
         if (*rc::gen::inRange(0, 8) == 0) step.halve();

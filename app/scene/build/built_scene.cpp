@@ -47,7 +47,6 @@ SimulationOptions plain_options(const Scene& scene) {
     options.stepper.scheme = scene.solver.scheme;
     options.alternates = scene.solver.alternates;
     options.explicit_step = explicit_step;
-    options.adaptive = scene.solver.adaptive;
     options.stepper.method = scene.solver.method;
     options.stepper.step = scene.solver.step;
     options.stepper.arc_length = scene.solver.arc_length;

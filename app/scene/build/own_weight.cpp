@@ -26,7 +26,7 @@ Scene alone(const Scene& scene, const SheetSpec& sheet) {
     result.winds.clear();
     result.gauges.clear();
     result.solver.scheme = Scheme::statics;
-    result.solver.alternates = result.solver.adaptive = result.solver.arc_length = false;
+    result.solver.alternates = result.solver.arc_length = false;
     result.solver.step = result.solver.load = result.duration = 1;
     result.solver.until_crack = true;
     result.solver.damping = {};

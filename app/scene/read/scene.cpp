@@ -58,8 +58,10 @@ BendingOptions read_bending(TomlTable& table) {
 }
 
 Method read_method(TomlTable& table) {
-    constexpr std::array<std::string_view, 3> names{"quasi-newton", "newton", "newton-2026"};
-    constexpr std::array methods{Method::quasi_newton, Method::newton, Method::newton_2026};
+    if (table.retired("method", "newton-2026", "\"newton\" gives the same results in less time"))
+        return Method::newton;
+    constexpr std::array<std::string_view, 2> names{"quasi-newton", "newton"};
+    constexpr std::array methods{Method::quasi_newton, Method::newton};
     return methods[table.choice_number("method", names)];
 }
 

@@ -27,12 +27,11 @@ void require_static_sheet(TomlTable& root, const SheetSpec& sheet) {
 }  // namespace
 
 void read_scheme(TomlTable& table, SolverSpec& solver) {
-    constexpr std::array<std::string_view, 6> names{"implicit-euler", "bdf2",     "midpoint",
-                                                    "auto",           "explicit", "static"};
-    constexpr std::array schemes{
-        Scheme::implicit_euler,       Scheme::bdf2,   Scheme::midpoint, Scheme::implicit_euler,
-        Scheme::explicit_differences, Scheme::statics};
-    if (table.has("scheme")) {
+    constexpr std::array<std::string_view, 5> names{"implicit-euler", "bdf2", "auto", "explicit", "static"};
+    constexpr std::array schemes{Scheme::implicit_euler, Scheme::bdf2, Scheme::implicit_euler,
+                                 Scheme::explicit_differences, Scheme::statics};
+    const bool is_retired = table.retired("scheme", "midpoint", "\"bdf2\" is of second order, too");
+    if (table.has("scheme") && !is_retired) {
         const std::size_t chosen = table.choice_number("scheme", names);
         solver.scheme = schemes[chosen];
         solver.alternates = names[chosen] == "auto";
@@ -40,9 +39,7 @@ void read_scheme(TomlTable& table, SolverSpec& solver) {
     const bool statics = solver.scheme == Scheme::statics;
     const bool is_explicit = solver.scheme == Scheme::explicit_differences;
     if (is_explicit) solver.step = explicit_step;
-    solver.adaptive = table.flag("adaptive", solver.adaptive);
-    if (solver.adaptive && (statics || is_explicit || solver.alternates))
-        table.report("adaptive", "is for scheme = \"implicit-euler\", \"bdf2\" or \"midpoint\"");
+    table.retired("adaptive", "scheme = \"auto\" makes short steps where something strikes or breaks");
     // A step of load changes the matrix more than one of time, and nothing of inertia is in it that stays.
     if (statics) solver.method = Method::newton;
     for (const char* key : {"method", "jacobian", "max_iterations", "tolerance", "max_stages"})

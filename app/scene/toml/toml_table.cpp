@@ -132,6 +132,16 @@ std::size_t TomlTable::choice_number(std::string_view key, std::span<const std::
     return found == names.end() ? 0 : static_cast<std::size_t>(found - names.begin());
 }
 
+void TomlTable::retired(std::string_view key, std::string_view instead) {
+    if (has(key)) report(key, fmt::format("is no key any more: {}", instead));
+}
+
+bool TomlTable::retired(std::string_view key, std::string_view name, std::string_view instead) {
+    if (!has(key) || (*content)[key].value<std::string_view>() != name) return false;
+    report(key, fmt::format("has no \"{}\" any more: {}", name, instead));
+    return true;
+}
+
 Eigen::Vector3d TomlTable::vector(std::string_view key, std::string_view unit,
                                   std::optional<Eigen::Vector3d> fallback) {
     const toml::node* node = find(key);

@@ -44,6 +44,10 @@ class TomlTable {
     std::string choice(std::string_view key, std::span<const std::string_view> names);
     /// The place of a choice() among `names`; 0 when it is none of them, which is reported.
     std::size_t choice_number(std::string_view key, std::span<const std::string_view> names);
+    /// Reports a key that scenes had once. `instead` says what to use: "scheme = \"auto\" does that".
+    void retired(std::string_view key, std::string_view instead);
+    /// Reports a choice that a key had once. Returns whether it is made, so that choice() need not report it.
+    bool retired(std::string_view key, std::string_view name, std::string_view instead);
     /// Reads an array of different ones of `names`, at least one; it is empty after a problem.
     std::vector<std::string> choices(std::string_view key, std::span<const std::string_view> names);
     Eigen::Vector3d vector(std::string_view key, std::string_view unit,

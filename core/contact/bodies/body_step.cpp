@@ -30,7 +30,6 @@ BodyStep::BodyStep(const Shell& shell, const RigidBody& body, const Vector3d& gr
       body(body),
       near(near),
       lag(step.lag),
-      where(step.where),
       origin(origin),
       inertia(body.inertia_in_space()),
       vertices(shell, body, number) {
@@ -66,8 +65,8 @@ Positions BodyStep::seen_from(const BodyPose& pose, const Positions& x) const {
 
 void BodyStep::add_inertia(const Vector6d& q, BodyPotential& sum) const {
     Matrix6d mass = Matrix6d::Zero();
-    mass.topLeftCorner<3, 3>().diagonal().setConstant(body.mass / (where * lag * lag));
-    mass.bottomRightCorner<3, 3>() = inertia / (where * lag * lag);
+    mass.topLeftCorner<3, 3>().diagonal().setConstant(body.mass / (lag * lag));
+    mass.bottomRightCorner<3, 3>() = inertia / (lag * lag);
     const Vector6d away = q - predicted;
     sum.value += 0.5 * away.dot(mass * away);
     sum.gradient += mass * away;
@@ -209,11 +208,9 @@ RigidBody BodyStep::moved(const Vector6d& q) const {
     result.centre += q.head<3>();
     result.rotation = Eigen::Quaterniond(here.place.linear()).normalized().toRotationMatrix();
     result.velocity = (q.head<3>() - origin.pose.head<3>()) / lag;
-    if (where < 1)
-        result.velocity = origin.velocity.head<3>() + (result.velocity - origin.velocity.head<3>()) / where;
     // In P, torques act on the rotation vector through its Jacobian. The angular momentum takes them
     // directly: otherwise the shell would not gain what the body loses.
-    const Vector3d turned_by_torque = inertia * (q.tail<3>() - predicted.tail<3>()) / (where * lag);
+    const Vector3d turned_by_torque = inertia * (q.tail<3>() - predicted.tail<3>()) / lag;
     result.angular_momentum =
         origin.angular_momentum + here.jacobian.transpose().inverse() * turned_by_torque;
     return result;

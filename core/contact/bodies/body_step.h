@@ -87,7 +87,6 @@ class BodyStep {
     const RigidBody& body;
     const NearPairs* near;
     double lag;    ///< s
-    double where;  ///< see StepContext
     BodyOrigin origin;
     Matrix3d inertia;                        ///< kg m^2, in space
     Vector6d predicted;                      ///< q without contact: the inertial prediction

@@ -108,7 +108,7 @@ step = 2e-6
 damping.stiffness = 2e-8
 )"},
     {"schemes by turns", stepped_disc("0.002", "scheme = \"auto\"\ndamping.stiffness = 1e-7\n")},
-    {"bdf two", stepped_disc("0.006", "scheme = \"bdf2\"\nadaptive = true\n")},
+    {"bdf two", stepped_disc("0.006", "scheme = \"bdf2\"\n")},
     {"arcs, damping and moving clamps", R"(duration = 0.02
 [sheet.strip]
 mesh = { generate = "rectangle", width = 0.3, height = 0.1, edge_length = 0.03 }

@@ -45,11 +45,11 @@ TEST(StudyRows, CommandsRepeatThem) {
     const StudyFolder folder;
     const StudyRows all = folder.rows(
         "[parameters]\nspeed = { set = \"sheet.plate.velocity=[0, 0, -{}]\", values = [2] }\n"
-        "solver.scheme = [\"midpoint\"]\n");
+        "solver.scheme = [\"bdf2\"]\n");
     EXPECT_EQ(row_command(all, all.rows[0]),
               "sherd run " + (folder.directory.path / "disc.toml").string() +
-                  " --set 'sheet.plate.velocity=[0, 0, -2]' --set 'solver.scheme=\"midpoint\"'");
-    EXPECT_EQ(all.rows[0].values, (std::vector<std::string>{"2", "midpoint"}));
+                  " --set 'sheet.plate.velocity=[0, 0, -2]' --set 'solver.scheme=\"bdf2\"'");
+    EXPECT_EQ(all.rows[0].values, (std::vector<std::string>{"2", "bdf2"}));
 }
 
 TEST(StudyRows, TheSameSceneIsTheSameRowInAnotherStudy) {
