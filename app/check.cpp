@@ -12,7 +12,6 @@
 #include "app/fault_picture.h"
 #include "app/progress/idle_timer.h"
 #include "app/run_cost.h"
-#include "app/scene/build/bending_words.h"
 #include "app/scene/build/built_scene.h"
 #include "app/scene/build/crack_step_words.h"
 #include "app/scene/build/own_weight.h"
@@ -176,7 +175,6 @@ void check(const Scene& scene, const CheckOptions& options, std::vector<std::str
     // nothing.
     BuiltScene built = build_scene(scene, std::move(inputs), warnings);
     require_room_between(scene, built, warnings);
-    print_result("{}", bending_words(built));
     print_bodies(scene, built.options.stepper.contact.bodies);
     if (const std::string words = crack_step_words(scene, built.sheets); !words.empty())
         print_result("cracks run {}\n", words);

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "app/scene/build/material_axes.h"
-#include "core/bending/coupled_cubic_bending.h"
+#include "core/bending/coupled_bending.h"
 #include "core/bending/cubic_bending.h"
 #include "core/bending/nonlinear_bending.h"
 #include "core/elements/principal_values.h"
@@ -121,10 +121,8 @@ Probe probe(const ProbeShapes& shapes, const MaterialFile& material, std::vector
                        sum("membrane", MembraneElements{&sheet.triangles}, x),
                        whole("membrane_arc", ArcMembrane(sheet, {}), x)};
     // The rigidity of coupled hinges is the material's, which a given stiffness of hinges is not.
-    if (!material.bending_stiffness) {
+    if (!material.bending_stiffness)
         result.energies.push_back(whole("bending_coupled", CoupledBending(sheet, {}), x));
-        result.energies.push_back(whole("bending_coupled_cubic", CoupledCubicBending(sheet, {}), x));
-    }
     for (const HingeStencil& hinge : sheet.hinges) {
         const HingePositions local = columns(x, hinge.vertices);
         result.hinges.push_back({hinge.vertices, hinge_angle(local), hinge.rest.angle,

@@ -19,8 +19,7 @@ ElasticGradient::ElasticGradient(const Shell& shell, const ShellEnergies& energi
       threads(std::move(threads)),
       cubic(cubic_hinges(energies.of_bending())),
       of_membrane(options.membrane == MembraneModel::constant_strain) {
-    if (of_membrane && options.bending.model == BendingModel::coupled && options.yields.empty())
-        coupled = energies.coupled_bending();
+    if (of_membrane && options.yields.empty()) coupled = energies.coupled_bending();
     if (coupled == nullptr && cubic == nullptr) others.push_back(&energies.of_bending());
     if (!of_membrane) others.push_back(&energies.of_membrane());
     if (coupled == nullptr && !options.mirrors.empty()) others.push_back(&energies.of_mirrors());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/bending/bending.h"
 
-#include "core/bending/coupled_cubic_bending.h"
+#include "core/bending/coupled_bending.h"
 #include "core/bending/cubic_bending.h"
 #include "core/bending/nonlinear_bending.h"
 
@@ -56,7 +56,6 @@ std::unique_ptr<Energy> bending_energy(const Shell& shell, const BendingOptions&
                                        const std::vector<MirrorHinge>& mirrors) {
     const auto& [model, jacobian] = options;
     if (model == BendingModel::coupled) return std::make_unique<CoupledBending>(shell, mirrors);
-    if (model == BendingModel::coupled_cubic) return std::make_unique<CoupledCubicBending>(shell, mirrors);
     const bool nonlinear_force = model == BendingModel::nonlinear,
                nonlinear_jacobian = jacobian == BendingJacobian::nonlinear;
     if (nonlinear_force && nonlinear_jacobian) return nonlinear_energy(shell);
@@ -72,6 +71,10 @@ const std::vector<CubicHinge>* cubic_hinges(const Energy& bending) {
     const auto* pair = dynamic_cast<const PairedBending*>(&bending);
     const auto* cubic = dynamic_cast<const CubicBending*>(pair != nullptr ? &pair->of_force() : &bending);
     return cubic != nullptr ? &cubic->all().hinges : nullptr;
+}
+
+const CoupledBending* coupled_hinges(const Energy& bending) {
+    return dynamic_cast<const CoupledBending*>(&bending);
 }
 
 }  // namespace sherd

@@ -9,19 +9,15 @@
 
 namespace sherd {
 
+class CoupledBending;
+
 /// The bending energy of hinges (paper, sections 3 and 4).
 enum class BendingModel {
-    coupled,        ///< hinges that know their neighbours, which converge: see CoupledBending
-    coupled_cubic,  ///< the same as a polynomial, where that is safe: see CoupledCubicBending
-    cubic,          ///< cubic shell (CS), in equilibrium at rest: see cubic_hinge()
-    cubic_2007,     ///< cubic shell as printed in the paper: see cubic_hinge_2007()
-    nonlinear       ///< nonlinear hinge (NH)
+    coupled,     ///< hinges that know their neighbours, which converge: see CoupledBending
+    cubic,       ///< cubic shell (CS), in equilibrium at rest: see cubic_hinge()
+    cubic_2007,  ///< cubic shell as printed in the paper: see cubic_hinge_2007()
+    nonlinear    ///< nonlinear hinge (NH)
 };
-
-/// Whether hinges know their neighbours.
-constexpr bool is_coupled(BendingModel model) {
-    return model == BendingModel::coupled || model == BendingModel::coupled_cubic;
-}
 
 /// The second derivative of bending that Newton's method uses. It affects the number of iterations, but not
 /// the solution, which only the energy determines. Coupled hinges always use their own.
@@ -51,5 +47,8 @@ std::unique_ptr<Energy> bending_energy(const Shell& shell, const BendingOptions&
 /// The cubic hinges (cubic_hinge()) that a bending energy has its forces from, one for each of the shell;
 /// null: it has none.
 const std::vector<CubicHinge>* cubic_hinges(const Energy& bending);
+
+/// The coupled hinges of a bending energy; null: it has none.
+const CoupledBending* coupled_hinges(const Energy& bending);
 
 }  // namespace sherd

@@ -6,37 +6,17 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 
 #include "core/shell/inheritance.h"
 #include "core/shell/thickness.h"
 
 namespace sherd {
 CoupledBending::CoupledBending(const Shell& shell, const std::vector<MirrorHinge>& mirrors)
-    : shell(shell), folds(shell, mirrors), curvature(shell, folds), start(folds.rest_angles()) {
-    count_all();
-}
-
-void CoupledBending::count_all() {
-    counted.resize(shell.triangles.size());
-    std::iota(counted.begin(), counted.end(), 0);
-    needed = folds.present();
-}
-
-void CoupledBending::count_only(std::vector<Index> faces) {
-    of_all = false;
-    counted = std::move(faces);
-    find_needed();
-}
-
-void CoupledBending::find_needed() {
-    std::vector<char> is_needed(folds.size(), 0);
-    for (const Index face : counted)
-        for (const auto& [fold, per_angle] : curvature.terms(face)) is_needed[fold] = 1;
-    needed = folds.present();
-    std::erase_if(needed, [&](Index fold) { return is_needed[fold] == 0; });
-    forget_reach();
-}
+    : shell(shell),
+      folds(shell, mirrors),
+      curvature(shell, folds),
+      present(folds.present()),
+      start(folds.rest_angles()) {}
 
 void CoupledBending::forget_reach() {
     reach.clear();
@@ -60,13 +40,12 @@ void CoupledBending::forget_reach(const ShellChange& change, std::span<const Ind
             forget(face);
 }
 
-const std::vector<CoupledBending::Reach>& CoupledBending::reach_of_counted() const {
+const std::vector<CoupledBending::Reach>& CoupledBending::reach_of_faces() const {
     if (reach_is_known) return reach;
     reach_is_known = true;
-    reach.resize(counted.size());
-    for (std::size_t i = 0; i < counted.size(); ++i) {
-        const Index face = counted[i];
-        auto& [vertices, places] = reach[i];
+    reach.resize(shell.triangles.size());
+    for (std::size_t face = 0; face < reach.size(); ++face) {
+        auto& [vertices, places] = reach[face];
         if (!vertices.empty()) continue;
         for (const auto& [fold, per_angle] : curvature.terms(face)) folds.collect(fold, vertices);
         std::ranges::sort(vertices);
@@ -100,9 +79,9 @@ YieldingSection CoupledBending::section(Index face) const {
 
 double CoupledBending::taken_by_yielding(const Positions& x) const {
     if (yields.empty()) return 0;
-    const VectorXd all = changes(x, needed);
+    const VectorXd all = changes(x, present);
     double sum = 0;
-    for (const Index face : counted)
+    for (Index face = 0; face < faces(); ++face)
         if (yields_at(face))
             sum += shell.triangles[face].membrane.area * yielded(face, curvature.of(face, all)).taken;
     return sum;
@@ -110,8 +89,8 @@ double CoupledBending::taken_by_yielding(const Positions& x) const {
 
 void CoupledBending::keep(const Positions& x) {
     if (yields.empty()) return;
-    const VectorXd all = changes(x, needed);
-    for (const Index face : counted)
+    const VectorXd all = changes(x, present);
+    for (Index face = 0; face < faces(); ++face)
         if (yields_at(face)) kept[face] = yielded(face, curvature.of(face, all)).kept;
 }
 
@@ -122,18 +101,13 @@ Matrix3d CoupledBending::stiffness(Index face, const VectorXd& changes) const {
     return shell.triangles[face].membrane.area * here.tangent(state, kept[face]);
 }
 
-std::vector<Index> CoupledBending::follow(const ShellChange& change) {
+void CoupledBending::topology_changed(const ShellChange& change, const StepContext&) {
     folds.follow(change);
-    std::vector<Index> changed = curvature.follow(change);
+    const std::vector<Index> changed = curvature.follow(change);
     folds.extend(change, start);
     if (!yields.empty()) append(kept, change.faces, Inheritance::first, KeptBend{});
-    if (of_all) {
-        count_all();
-        forget_reach(change, changed);
-    } else {
-        find_needed();
-    }
-    return changed;
+    present = folds.present();
+    forget_reach(change, changed);
 }
 
 double CoupledBending::rigidity_factor(Index face) const {
@@ -151,8 +125,7 @@ VectorXd CoupledBending::changes_from(const VectorXd& angles) const {
 Eigen::Matrix3Xd CoupledBending::curvatures(const Positions& x) const {
     const VectorXd all = changes(x);
     Eigen::Matrix3Xd of_faces(3, shell.triangles.size());
-    for (Index face = 0; face < static_cast<Index>(shell.triangles.size()); ++face)
-        of_faces.col(face) = curvature.of(face, all);
+    for (Index face = 0; face < faces(); ++face) of_faces.col(face) = curvature.of(face, all);
     if (!yields.empty()) of_faces -= kept_curvatures(x);
     return of_faces;
 }
@@ -160,19 +133,19 @@ Eigen::Matrix3Xd CoupledBending::curvatures(const Positions& x) const {
 Eigen::Matrix3Xd CoupledBending::kept_curvatures(const Positions& x) const {
     const VectorXd all = changes(x);
     Eigen::Matrix3Xd of_faces = Eigen::Matrix3Xd::Zero(3, shell.triangles.size());
-    for (Index face = 0; face < static_cast<Index>(shell.triangles.size()); ++face)
+    for (Index face = 0; face < faces(); ++face)
         if (yields_at(face)) of_faces.col(face) = yielded(face, curvature.of(face, all)).kept.curvature;
     return of_faces;
 }
 
 std::vector<MirrorGradient> CoupledBending::mirror_gradients(const Positions& x) const {
-    return folds.mirror_gradients(x, moments(changes(x, needed)));
+    return folds.mirror_gradients(x, moments(changes(x, present)));
 }
 
 /// The derivative of the energy by the angles, N m: S dtheta.
 VectorXd CoupledBending::moments(const VectorXd& changes) const {
     VectorXd all = VectorXd::Zero(changes.size());
-    for (const Index face : counted) {
+    for (Index face = 0; face < faces(); ++face) {
         const Vector3d of_face = moment(face, curvature.of(face, changes));
         for (const auto& [fold, per_angle] : curvature.terms(face)) all[fold] += per_angle.dot(of_face);
     }
@@ -180,9 +153,9 @@ VectorXd CoupledBending::moments(const VectorXd& changes) const {
 }
 
 double CoupledBending::value(const Positions& x) const {
-    const VectorXd all = changes(x, needed);
+    const VectorXd all = changes(x, present);
     double sum = 0;
-    for (const Index face : counted) {
+    for (Index face = 0; face < faces(); ++face) {
         const Vector3d bent = curvature.of(face, all);
         if (yields_at(face)) {
             const YieldingSection::State state = yielded(face, bent);
@@ -196,51 +169,51 @@ double CoupledBending::value(const Positions& x) const {
 
 double CoupledBending::round_off() const {
     double sum = 0;
-    for (const Index face : counted)
+    for (Index face = 0; face < faces(); ++face)
         for (const auto& [fold, per_angle] : curvature.terms(face))
             sum += per_angle.dot(rigidity(face) * per_angle);
     return 4 * std::numeric_limits<double>::epsilon() * sum;
 }
 
 void CoupledBending::add_gradient(const Positions& x, Positions& gradient) const {
-    folds.find_slopes(x, needed, slopes);
-    folds.add_gradient(slopes, moments(changes_from(folds.angles(slopes, needed))), gradient, needed);
+    folds.find_slopes(x, present, slopes);
+    folds.add_gradient(slopes, moments(changes_from(folds.angles(slopes, present))), gradient, present);
 }
 
-void CoupledBending::find_slopes(std::size_t i, const std::vector<Folds::Slope>& of_folds,
+void CoupledBending::find_slopes(Index face, const std::vector<Folds::Slope>& of_folds,
                                  const VectorXd& changes, BlockMatrix::Columns::Rows& of_face) const {
-    const auto& [vertices, places] = reach_of_counted()[i];
+    const auto& [vertices, places] = reach_of_faces()[face];
     of_face.setZero(3, 3 * static_cast<Eigen::Index>(vertices.size()));
     auto place = places.begin();
-    for (const auto& [fold, per_angle] : curvature.terms(counted[i])) {
+    for (const auto& [fold, per_angle] : curvature.terms(face)) {
         const HingePositions& gradient = of_folds[fold].gradient;
         for (int v = 0; v < 4; ++v)
             if ((*place)[v] >= 0)
                 of_face.middleCols<3>(3 * (*place)[v]) += per_angle * gradient.col(v).transpose();
         ++place;
     }
-    const Matrix3d root = stiffness(counted[i], changes).llt().matrixU();
+    const Matrix3d root = stiffness(face, changes).llt().matrixU();
     of_face = (root * of_face).eval();
 }
 
-std::vector<Index> CoupledBending::needed_for(const BlockMatrix& hessian) const {
-    std::vector<Index> some = needed;
+std::vector<Index> CoupledBending::present_in(const BlockMatrix& hessian) const {
+    std::vector<Index> some = present;
     if (hessian.is_part())
         std::erase_if(some, [&](Index fold) { return !hessian.has_all(folds.vertices(fold)); });
     return some;
 }
 
 void CoupledBending::add_hessian(const Positions& x, Curvature kind, BlockMatrix& hessian) const {
-    const std::vector<Index> some = needed_for(hessian);
+    const std::vector<Index> some = present_in(hessian);
     folds.find_slopes(x, some, slopes, hessian.shared_among());
     const VectorXd all = yields.empty() ? VectorXd() : changes_from(folds.angles(slopes, some));
-    const std::vector<Reach>& reached = reach_of_counted();
+    const std::vector<Reach>& reached = reach_of_faces();
     using Rows = BlockMatrix::Columns::Rows;
     hessian.add_elements<Rows>(
-        counted.size(),
+        reached.size(),
         [&](std::size_t i, Rows& of_face) {
             if (!hessian.has_all(reached[i].vertices)) return false;
-            find_slopes(i, slopes, all, of_face);
+            find_slopes(static_cast<Index>(i), slopes, all, of_face);
             return true;
         },
         [&](BlockMatrix::Columns& columns, std::size_t i, const Rows& of_face) {
@@ -251,7 +224,7 @@ void CoupledBending::add_hessian(const Positions& x, Curvature kind, BlockMatrix
 }
 
 void CoupledBending::add_pattern(std::vector<std::pair<Index, Index>>& pairs) const {
-    for (const auto& [vertices, places] : reach_of_counted())
+    for (const auto& [vertices, places] : reach_of_faces())
         add_pairs(pairs, std::span<const Index>(vertices));
 }
 

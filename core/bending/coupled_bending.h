@@ -20,9 +20,6 @@ class CoupledBending : public Energy {
     /// The shell must outlive this object.
     CoupledBending(const Shell& shell, const std::vector<MirrorHinge>& mirrors);
     CoupledBending(const CoupledBending&) = delete;  // its parts refer to each other's shell and mirrors
-    /// Counts the energy of these faces only, whatever becomes of the shell, until the next call. Angles,
-    /// curvatures and the questions below stay those of all faces.
-    void count_only(std::vector<Index> faces);
     /// Measures changes of angles from the shape x instead of the rest shape, and multiplies the energy.
     void start_from(const Positions& x, double scale);
     /// Faces keep what they are bent beyond yield (YieldingSection), from the shell's positions on.
@@ -53,19 +50,17 @@ class CoupledBending : public Energy {
     std::vector<MirrorGradient> mirror_gradients(const Positions& x) const;
 
     void begin(const StepContext& step) override { folds.begin(step); }
-    void topology_changed(const ShellChange& change, const StepContext&) override { follow(change); }
-    /// Does what topology_changed() does, and returns the faces whose curvature depends on other folds or in
-    /// another way than before. Where triangles have changed, angles are measured from the rest shape again.
-    std::vector<Index> follow(const ShellChange& change);
+    /// Where triangles have changed, angles are measured from the rest shape again.
+    void topology_changed(const ShellChange& change, const StepContext&) override;
     double value(const Positions& x) const override;
     double round_off() const override;
     void add_gradient(const Positions& x, Positions& gradient) const override;
     void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const override;
     void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const override;
     void visit_state(StateVisitor& visit) override {
-        auto& [shell, folds, curvature, of_all, counted, needed, start, scale, yields, kept, reach,
-               reach_is_known, slopes] = *this;
-        visit(folds, curvature, of_all, counted, needed, start, scale, kept);
+        auto& [shell, folds, curvature, present, start, scale, yields, kept, reach, reach_is_known, slopes] =
+            *this;
+        visit(folds, curvature, present, start, scale, kept);
         if (visit.reads()) forget_reach();
     }
 
@@ -76,17 +71,16 @@ class CoupledBending : public Energy {
         std::vector<std::array<Index, 4>> places;  ///< among them, of each term's fold; -1: no vertex
     };
 
-    void count_all();
-    void find_needed();
-    const std::vector<Reach>& reach_of_counted() const;
+    Index faces() const { return static_cast<Index>(shell.triangles.size()); }
+    const std::vector<Reach>& reach_of_faces() const;
     void forget_reach();
-    /// Of faces that have changed, and of those that reach vertices which a crack has split, where all count.
+    /// Of faces that have changed, and of those that reach vertices which a crack has split.
     void forget_reach(const ShellChange& change, std::span<const Index> changed);
-    /// The needed folds whose vertices are all in a matrix.
-    std::vector<Index> needed_for(const BlockMatrix& hessian) const;
-    /// How the curvature of the i-th face that counts, times the root of its rigidity, changes with the
-    /// positions of the vertices in its reach, sqrt(J) / m.
-    void find_slopes(std::size_t i, const std::vector<Folds::Slope>& of_folds, const VectorXd& changes,
+    /// The present folds whose vertices are all in a matrix.
+    std::vector<Index> present_in(const BlockMatrix& hessian) const;
+    /// How the curvature of a face, times the root of its rigidity, changes with the positions of the
+    /// vertices in its reach, sqrt(J) / m.
+    void find_slopes(Index face, const std::vector<Folds::Slope>& of_folds, const VectorXd& changes,
                      BlockMatrix::Columns::Rows& of_face) const;
     VectorXd changes(const Positions& x, std::span<const Index> some) const {
         return changes_from(folds.angles(x, some));
@@ -110,14 +104,12 @@ class CoupledBending : public Energy {
     const Shell& shell;
     Folds folds;
     FaceCurvature curvature;
-    bool of_all = true;          ///< whether all faces count
-    std::vector<Index> counted;  ///< faces that count
-    std::vector<Index> needed;   ///< present folds on which their curvature depends
+    std::vector<Index> present;  ///< Folds::present()
     VectorXd start;              ///< angles of all folds, rad, from which changes are measured
     double scale = 1;
     std::vector<double> yields;  ///< Pa, of each sheet; empty: nothing yields
     std::vector<KeptBend> kept;  ///< [F], or none
-    /// Of each face that counts, once a Hessian has asked for it; without vertices where it is not known.
+    /// Of each face, once a Hessian has asked for it; without vertices where it is not known.
     mutable std::vector<Reach> reach;
     mutable bool reach_is_known = false;
     mutable std::vector<Folds::Slope> slopes;  ///< buffer, kept to save allocations

@@ -12,7 +12,7 @@ StiffnessDamping::StiffnessDamping(const Shell& shell, double coefficient, Bendi
                                    MembraneModel membrane_model)
     : shell(shell), coefficient(coefficient) {
     const std::vector<MirrorHinge> no_mirrors;
-    if (is_coupled(model)) coupled = std::make_unique<CoupledBending>(shell, no_mirrors);
+    if (model == BendingModel::coupled) coupled = std::make_unique<CoupledBending>(shell, no_mirrors);
     if (membrane_model == MembraneModel::arc) arcs = std::make_unique<ArcMembrane>(shell, no_mirrors);
 }
 

@@ -21,12 +21,12 @@ struct Damping {
 };
 
 /// Stiffness-proportional damping in one implicit step: (coefficient / lag) times the elastic energy, of
-/// membranes and of coupled hinges in true angles (whose polynomial would have to be made anew in each step),
-/// or with the paper's models of cubic ones, of a shell whose rest shape is the step's origin (StepContext).
-/// To second order this is Rayleigh's coefficient / (2 lag) (x - origin)^T K (x - origin), where K is the
-/// stiffness matrix at that shape without its stresses. An elastic energy exerts neither net force nor net
-/// torque in any shape, so that linear and angular momentum are conserved; x^T K x alone conserves linear
-/// momentum only.
+/// membranes and of coupled hinges, or with the paper's models of cubic ones, of a shell whose rest shape is
+/// the step's origin (StepContext). To second order this is Rayleigh's
+///     coefficient / (2 lag) (x - origin)^T K (x - origin),
+/// where K is the stiffness matrix at that shape without its stresses. An elastic energy exerts neither net
+/// force nor net torque in any shape, so that linear and angular momentum are conserved; x^T K x alone
+/// conserves linear momentum only.
 class StiffnessDamping : public Energy {
   public:
     /// The shell must outlive this object. coefficient: s.
@@ -50,7 +50,7 @@ class StiffnessDamping : public Energy {
     const Shell& shell;
     double coefficient;
     std::vector<TriangleStencil> triangles;
-    std::unique_ptr<CoupledBending> coupled;  ///< of coupled models
+    std::unique_ptr<CoupledBending> coupled;  ///< of coupled hinges
     std::unique_ptr<ArcMembrane> arcs;        ///< of the membrane with arcs
     std::unique_ptr<Energy> uncoupled, flat;
     const Energy *bending = nullptr, *membrane = nullptr;  ///< whichever there is

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "core/bending/coupled_cubic_bending.h"
 #include "core/bending/hinge_curvature.h"
 #include "core/membrane/arc_membrane.h"
 #include "core/shell/face_fields.h"
@@ -13,7 +12,7 @@ namespace {
 
 /// The mirrors that have an energy of their own: coupled hinges count theirs.
 std::vector<MirrorHinge> uncoupled_mirrors(const ShellEnergyOptions& options) {
-    return is_coupled(options.bending.model) ? std::vector<MirrorHinge>() : options.mirrors;
+    return options.bending.model == BendingModel::coupled ? std::vector<MirrorHinge>() : options.mirrors;
 }
 
 /// The bending energy if it keeps what is bent beyond yield; else null.

@@ -84,10 +84,11 @@ bool parts_are_stable(const Shell& shell) {
     return true;
 }
 
-/// Whether the stiffness at rest is positive definite. With the growth time as step, inertia on the diagonal
-/// outweighs instabilities that grow more slowly.
-bool whole_is_stable(const Shell& shell, BendingModel model, MembraneModel membrane_model) {
-    const std::unique_ptr<Energy> bending = bending_energy(shell, {model, exact_jacobian(model)});
+/// Whether the stiffness at rest of cubic hinges and membrane is positive definite. With the growth time as
+/// step, inertia on the diagonal outweighs instabilities that grow more slowly.
+bool whole_is_stable(const Shell& shell, MembraneModel membrane_model) {
+    const std::unique_ptr<Energy> bending =
+        bending_energy(shell, {BendingModel::cubic, BendingJacobian::cubic});
     const std::unique_ptr<Energy> membrane = membrane_energy(shell, membrane_model);
     TimeSpent spent;
     Inertia inertia(shell, Vector3d::Zero());
@@ -104,9 +105,8 @@ bool whole_is_stable(const Shell& shell, BendingModel model, MembraneModel membr
 
 bool stable_at_rest(const Shell& shell, BendingModel model, MembraneModel membrane) {
     if (is_least_at_rest(model)) return true;
-    if (model == BendingModel::cubic_2007) model = BendingModel::cubic;
-    const bool by_parts = model == BendingModel::cubic && membrane == MembraneModel::constant_strain;
-    return (by_parts && parts_are_stable(shell)) || whole_is_stable(shell, model, membrane);
+    const bool by_parts = membrane == MembraneModel::constant_strain;
+    return (by_parts && parts_are_stable(shell)) || whole_is_stable(shell, membrane);
 }
 
 }  // namespace sherd

@@ -169,7 +169,7 @@ step = 5e-5
                              "\nkeeps a dent          from 5e-05 s on\n"})
         EXPECT_NE(run.out.find(part), std::string::npos) << part << "\n" << run.out;
     const std::string warning = "times the yield stress, in sheet.lid at (",
-                      other = "solver.bending=coupled-cubic";
+                      other = "solver.bending=nonlinear";
     EXPECT_EQ(run_sherd({"check", "scene.toml"}, directory.path).out.find(warning), std::string::npos);
     const ProgramResult check = run_sherd({"check", "scene.toml", "--set", other}, directory.path);
     EXPECT_NE(check.out.find(warning), std::string::npos) << check.out;

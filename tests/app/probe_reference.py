@@ -361,7 +361,7 @@ def check(sherd, rest, x, faces, material):
             assert (probed["vertices"], probed["faces"], probed["hinges"]) == (len(rest), len(faces), len(stencils))
             # Coupled hinges need the plate's material, which a given stiffness of hinges does not tell.
             coupled = "bending_stiffness" not in material
-            others = {"membrane_arc"} | ({"bending_coupled", "bending_coupled_cubic"} if coupled else set())
+            others = {"membrane_arc"} | ({"bending_coupled"} if coupled else set())
             assert set(file["force"]) == set(probed["energy"]) == set(energies) | others
             check_arcs(Arcs(rest, faces, stencils, axes, constants, angle), x, probed, file["force/membrane_arc"])
             if coupled:

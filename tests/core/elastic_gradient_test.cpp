@@ -19,7 +19,6 @@ const ShellEnergyOptions all_models[] = {
     {.bending = {BendingModel::cubic, BendingJacobian::cubic}},
     {.bending = {BendingModel::cubic_2007}},
     {.bending = {BendingModel::nonlinear}},
-    {.bending = {BendingModel::coupled_cubic}},
     {.bending = {BendingModel::coupled}, .membrane = MembraneModel::arc},
     {.bending = {BendingModel::cubic}, .membrane = MembraneModel::arc},
     {.bending = {BendingModel::coupled}, .yields = {1e5}},

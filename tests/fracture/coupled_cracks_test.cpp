@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/bending/coupled_cubic_bending.h"
+#include "core/bending/coupled_bending.h"
 #include "core/membrane/arc_membrane.h"
 #include "core/membrane/membrane_energy.h"
 #include "fracture/breakable_shell.h"
@@ -15,7 +15,6 @@
 #include "tests/support/random_edges.h"
 #include "tests/support/steps.h"
 #include "tests/support/theory.h"
-#include "tests/support/uneven_patch.h"
 
 namespace sherd {
 namespace {
@@ -80,7 +79,6 @@ RC_GTEST_PROP(CoupledCracks, LeaveWhatAShellMadeWithTheseEdgesFreeHas, ()) {
     const Shell& shell = sheet.mechanics();
     const std::vector<MirrorHinge> mirrors = symmetry(shell);
     CoupledBending followed(shell, mirrors);
-    CoupledCubicBending cubic(shell, mirrors);
     ArcMembrane arcs(shell, mirrors);
     const StepContext step = test::step_of(shell, 0, 1e-3);
     pattern_of(followed);  // what is known from then on has to follow
@@ -93,7 +91,6 @@ RC_GTEST_PROP(CoupledCracks, LeaveWhatAShellMadeWithTheseEdgesFreeHas, ()) {
         if (edges.empty()) continue;
         const ShellChange change = sheet.fail(edges).shell;
         followed.topology_changed(change, step);
-        cubic.topology_changed(change, step);
         arcs.topology_changed(change, step);
 
         const CoupledBending anew(shell, mirrors);
@@ -101,12 +98,6 @@ RC_GTEST_PROP(CoupledCracks, LeaveWhatAShellMadeWithTheseEdgesFreeHas, ()) {
         Positions x = shell.rest;
         for (double& coordinate : x.reshaped()) coordinate += random.uniform(-0.02, 0.02);
         expect_same(followed, anew, x);
-        const CoupledCubicBending cubic_anew(shell, mirrors);
-        RC_ASSERT(cubic.forms() == cubic_anew.forms());
-        RC_ASSERT(std::ranges::count(cubic.forms(), CoupledCubicBending::Form::polynomial) > 20);
-        expect_same(cubic, cubic_anew, x);
-        RC_ASSERT(std::abs(cubic.value(shell.rest)) <= cubic.round_off());
-        RC_ASSERT(test::gradient_of(cubic, shell.rest).norm() <= 1e-10 * test::gradient_of(cubic, x).norm());
         expect_same(arcs, ArcMembrane(shell, mirrors), x);
         RC_ASSERT(arcs.value(shell.rest) <= 1e-20 * arcs.value(x));
         RC_ASSERT((followed.curvatures(x) - anew.curvatures(x)).norm() <= 1e-12 * anew.curvatures(x).norm());

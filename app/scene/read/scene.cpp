@@ -29,23 +29,22 @@ namespace {
 constexpr double most_steps = 1e9;  // decades of computing: a mistyped step, not a wish
 
 BendingOptions read_bending(TomlTable& table) {
-    constexpr std::array<std::string_view, 5> models{"coupled", "coupled-cubic", "cubic", "cubic-2007",
-                                                     "nonlinear"};
+    constexpr std::array<std::string_view, 4> models{"coupled", "cubic", "cubic-2007", "nonlinear"};
     constexpr std::array<std::string_view, 3> jacobians{"constant", "cubic", "nonlinear"};
     BendingOptions bending;
-    if (table.has("bending")) {
+    if (table.has("bending") &&
+        !table.retired("bending", "coupled-cubic", "\"coupled\" gives the same results")) {
         const std::string model = table.choice("bending", models);
         if (model == "cubic") bending.model = BendingModel::cubic;
         if (model == "cubic-2007") bending.model = BendingModel::cubic_2007;
         if (model == "nonlinear") bending.model = BendingModel::nonlinear;
-        if (model == "coupled-cubic") bending.model = BendingModel::coupled_cubic;
     }
     bending.jacobian = exact_jacobian(bending.model);
     if (table.has("jacobian")) {
         const std::string jacobian = table.choice("jacobian", jacobians);
         if (jacobian == "constant") bending.jacobian = BendingJacobian::constant;
         if (jacobian == "cubic") bending.jacobian = BendingJacobian::cubic;
-        if (is_coupled(bending.model))
+        if (bending.model == BendingModel::coupled)
             table.report("jacobian",
                          "is for one of the paper's models (bending = \"cubic\"): coupled hinges have one "
                          "matrix of their own");
@@ -175,7 +174,8 @@ void read_sheets(TomlTable& root, Scene& scene) {
         if (sheet.fracture && scene.solver.rule == BreakingRule::paper) require_paper(root, *sheet.fracture);
     // Plates have one rigidity; only how hinges stand for it is a choice.
     for (const SheetSpec& sheet : scene.sheets)
-        if (is_coupled(scene.solver.bending.model) && sheet.material.calibration == Calibration::paper)
+        if (scene.solver.bending.model == BendingModel::coupled &&
+            sheet.material.calibration == Calibration::paper)
             root.report("sheet",
                         fmt::format("{}: its material's calibration = \"paper\" is for the paper's "
                                     "bending models: add solver.bending = \"cubic\", or leave it out",

@@ -117,7 +117,6 @@ clamp = { box = [[-1, -1, -1], [0.001, 1, 1]], keys = [{ time = 0 }, { time = 0.
 symmetry = { point = [0, 0, 0], normal = [0, 1, 0] }
 [solver]
 step = 1e-3
-bending = "coupled-cubic"
 membrane = "arc"
 damping = { stiffness = 1e-4, mass = 1 }
 )"},

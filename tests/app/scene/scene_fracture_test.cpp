@@ -292,7 +292,8 @@ TEST(SceneFracture, WhatThereIsNoMoreNamesItsSuccessor) {
     for (const auto& [line, instead] :
          std::map<std::string, std::string>{{"scheme = \"midpoint\"", "\"bdf2\""},
                                             {"adaptive = true", "scheme = \"auto\""},
-                                            {"method = \"newton-2026\"", "\"newton\" "}}) {
+                                            {"method = \"newton-2026\"", "\"newton\" "},
+                                            {"bending = \"coupled-cubic\"", "\"coupled\""}}) {
         const std::string error = thrown_by([&] { breaking_plate("strain = 1", line); });
         EXPECT_NE(error.find("any more: " + instead), std::string::npos) << error;
         EXPECT_NE(error.find("solver." + line.substr(0, line.find(' '))), std::string::npos) << error;

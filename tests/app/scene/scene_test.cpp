@@ -9,7 +9,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/scene/build/bending_words.h"
 #include "app/scene/build/built_scene.h"
 #include "app/scene/build/mesh.h"
 #include "app/scene/build/supports.h"
@@ -140,7 +139,6 @@ TEST(Scene, EveryPairOfForceAndJacobianCanBeChosen) {
               std::pair(BendingModel::nonlinear, BendingJacobian::constant));
     EXPECT_EQ(chosen({nonlinear, "solver.jacobian=nonlinear"}),
               std::pair(BendingModel::nonlinear, BendingJacobian::nonlinear));
-    EXPECT_EQ(chosen({"solver.bending=coupled-cubic"}).first, BendingModel::coupled_cubic);
 }
 
 TEST(Scene, MembraneIsChosenAndKeptFromWrongNames) {
@@ -176,30 +174,14 @@ TEST(Scene, AWordThatIsNoneOfThoseKnownChoosesTheFirst) {
 
 // Neither would have any effect, and whoever gave it would believe that it has.
 TEST(Scene, CoupledHingesTakeNeitherAJacobianNorACalibration) {
-    for (const std::string bending : {"solver.bending=coupled", "solver.bending=coupled-cubic"}) {
-        const auto error_with = [&](const std::string& key) {
-            return thrown_by([&] { scene_of(small_scene, {{bending, key}, ""}); });
-        };
-        EXPECT_NE(error_with("solver.jacobian=cubic").find("coupled hinges have one matrix of their own"),
-                  std::string::npos);
-        EXPECT_NE(error_with("sheet.plate.material.calibration=paper").find("calibration = \"paper\" is for"),
-                  std::string::npos);
-        EXPECT_EQ(error_with("seed=3"), "no error");
-    }
-}
-
-// Whoever chooses the polynomial for its speed must learn where there is none.
-TEST(Scene, TellsHowManyFacesBendAsAPolynomial) {
-    const auto words = [](const std::vector<std::string>& keys) {
-        std::vector<std::string> warnings;
-        return bending_words(build_scene(scene_of(small_scene, {keys, ""}), warnings));
+    const auto error_with = [](const std::string& key) {
+        return thrown_by([&] { scene_of(small_scene, {{"solver.bending=coupled", key}, ""}); });
     };
-    const std::string cubic = "solver.bending=coupled-cubic", thickness = "sheet.plate.material.thickness=";
-    EXPECT_EQ(words({}), "");
-    const std::string thin = words({cubic, thickness + "1e-5"}), thick = words({cubic, thickness + "0.1"});
-    EXPECT_NE(thin.find("faces as a polynomial\n"), std::string::npos) << thin;
-    EXPECT_EQ(thick.find("bending: 0 of "), 0u) << thick;
-    EXPECT_NE(thick.find("thicker than a quarter of their shortest side"), std::string::npos) << thick;
+    EXPECT_NE(error_with("solver.jacobian=cubic").find("coupled hinges have one matrix of their own"),
+              std::string::npos);
+    EXPECT_NE(error_with("sheet.plate.material.calibration=paper").find("calibration = \"paper\" is for"),
+              std::string::npos);
+    EXPECT_EQ(error_with("seed=3"), "no error");
 }
 
 TEST(Scene, StepsCoverTheDurationWithoutOneForRoundOff) {
