@@ -154,13 +154,13 @@ void check(const Scene& scene, const CheckOptions& options, std::vector<std::str
     if (!scene.variant.empty()) print_result("variant {}\n", scene.variant);
     if (!scene.is_static())
         print_result("{}: {:.6g} s in {} of {:.3g} s, a frame every {:.3g} s\n", scene.file.string(),
-                     scene.duration, counted(step_count(scene), "step"), scene.solver.step,
+                     scene.duration, counted(step_count(scene), "step"), scene.simulation.stepper.step,
                      scene.frame_interval);
     else
         print_result("{}: statics to load {:.6g}{} in {} of {:.3g}, a frame every {:.3g}\n",
-                     scene.file.string(), scene.solver.load,
-                     scene.solver.arc_length ? " or along a path," : "", counted(step_count(scene), "step"),
-                     scene.solver.step, scene.frame_interval);
+                     scene.file.string(), scene.simulation.stepper.last_load,
+                     scene.simulation.stepper.arc_length ? " or along a path," : "",
+                     counted(step_count(scene), "step"), scene.simulation.stepper.step, scene.frame_interval);
     std::vector<std::string> mistakes;
     std::vector<SheetInput> inputs;
     for (const SheetSpec& sheet : scene.sheets) {

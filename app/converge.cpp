@@ -41,8 +41,8 @@ Outcome told(const Scene& scene, const char* what) {
     print_message("{}: ", what);
     Outcome result = outcome(scene);
     print_message("{}, {} of {:g}, {}, {:.1f} s\n", counted(result.faces, "face"),
-                  counted(result.steps, "step"), scene.solver.step, counted(result.cracks, "crack"),
-                  result.seconds);
+                  counted(result.steps, "step"), scene.simulation.stepper.step,
+                  counted(result.cracks, "crack"), result.seconds);
     return result;
 }
 

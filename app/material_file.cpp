@@ -9,12 +9,14 @@ namespace sherd {
 MaterialFile read_material_file(const std::filesystem::path& file) {
     const toml::table document = parse_toml(read_toml_text(file, "material"), file);
     Problems problems;
-    TomlTable table(document, "", problems);
+    TomlTable table(document, "", problems, file.parent_path());
     MaterialFile result;
     if (table.has("bending_stiffness"))
         result.bending_stiffness = table.number("bending_stiffness", "N m", positive);
-    result.axis = read_axis(table, file.parent_path());
-    result.material = read_material(table, read_preset(table));
+    SheetSpec sheet;
+    read_section(table, material_section, sheet);
+    result.axis = sheet.axis;
+    result.material = sheet.material;
     problems.throw_if_any();
     return result;
 }

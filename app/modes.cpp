@@ -35,13 +35,15 @@ std::vector<std::string> left_out_of_modes(const Scene& scene) {
     if (!touched.empty()) all.push_back(fmt::format("contact with {}", fmt::join(touched, ", ")));
     if (scene.sheets.size() > 1) all.emplace_back("contact of the sheets with each other");
     if (!scene.winds.empty()) all.emplace_back("wind");
-    if (scene.solver.damping.stiffness > 0 || scene.solver.damping.mass > 0) all.emplace_back("damping");
+    if (scene.simulation.stepper.shell.damping.stiffness > 0 ||
+        scene.simulation.stepper.shell.damping.mass > 0)
+        all.emplace_back("damping");
     return all;
 }
 
 void warn_of_modes(const Scene& scene, const SceneModes& modes) {
     const auto warn = [](const std::string& words) { print_message("sherd: warning: {}\n", words); };
-    if (scene.solver.bending.model == BendingModel::cubic_2007)
+    if (scene.simulation.stepper.shell.bending.model == BendingModel::cubic_2007)
         warn(
             "with bending = \"cubic-2007\" curved sheets are not in equilibrium where they start: these are "
             "modes about a shape that they leave");

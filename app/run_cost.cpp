@@ -67,7 +67,7 @@ RunCost run_cost(const Scene& scene, const BuiltScene& built) {
         columns += 3 * (gauge.displacement + 2 * gauge.fields.stress + gauge.fields.curvature +
                         gauge.fields.membrane_strain);
     cost.recording = recording_size(mesh, static_cast<double>(cost.frames), static_cast<double>(cost.steps),
-                                    columns, scene.fields);
+                                    columns, scene.simulation.fields);
     cost.memory = guessed_memory(mesh.faces);
     cost.machine_memory = machine_memory();
     return cost;
@@ -86,7 +86,7 @@ TriedSteps try_steps(const Scene& scene, BuiltScene built) {
             const StepReport report = runner.step();
             raise_peaks(tried.peaks, report);
             // A halved step is only part of a step of the scene.
-            const double whole = (seconds() - begin) * scene.solver.step / report.step_size;
+            const double whole = (seconds() - begin) * scene.simulation.stepper.step / report.step_size;
             if (tried.count++ == 0) tried.first = whole;
             // The cheapest counts: the first step sets up the solver, and in few steps of a run anything
             // fails.

@@ -44,9 +44,10 @@ void add_yield(std::string& text, const RunTotals& totals, const Scene& scene) {
 /// Number and size of the steps; steps that were halved or cut are shorter than the scene's.
 std::string step_words(const RunTotals& totals, const Scene& scene, const char* unit) {
     constexpr double rounding = 1e-9;
-    const double whole = static_cast<double>(totals.last.step) * scene.solver.step;
+    const double whole = static_cast<double>(totals.last.step) * scene.simulation.stepper.step;
     const bool is_cut = !scene.is_static() && totals.last.time < whole * (1 - rounding);
-    return fmt::format("{} of {}{:g}{}", totals.last.step, is_cut ? "at most " : "", scene.solver.step, unit);
+    return fmt::format("{} of {}{:g}{}", totals.last.step, is_cut ? "at most " : "",
+                       scene.simulation.stepper.step, unit);
 }
 
 std::string load_words(const LoadHistory& load) {
@@ -110,11 +111,13 @@ std::string run_summary(const RunTotals& totals, const RunEnd& end, const std::f
     else
         add_row(text, "simulated time", fmt::format("{:g} s", totals.last.time));
     add_row(text, "wall time", fmt::format("{:.1f} s", end.wall_seconds));
-    if (scene.solver.alternates) add_row(text, "explicit steps", explicit_words(totals));
-    add_row(text, scene.solver.scheme == Scheme::explicit_differences ? "substeps" : "Newton iterations",
-            fmt::format("{} ({:.2f} a step)", totals.newton_iterations,
-                        static_cast<double>(totals.newton_iterations) /
-                            static_cast<double>(std::max<std::int64_t>(1, totals.last.step))));
+    if (scene.simulation.alternates) add_row(text, "explicit steps", explicit_words(totals));
+    add_row(
+        text,
+        scene.simulation.stepper.scheme == Scheme::explicit_differences ? "substeps" : "Newton iterations",
+        fmt::format("{} ({:.2f} a step)", totals.newton_iterations,
+                    static_cast<double>(totals.newton_iterations) /
+                        static_cast<double>(std::max<std::int64_t>(1, totals.last.step))));
     add_row(text, "cracked edges", fmt::format("{}", totals.cracks));
     if (const auto words = crack_step_words(scene, simulation.shell());
         simulation.grown_edges() > 0 && !words.empty())

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <sys/ioctl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <memory>
 
 #include "app/commands.h"
 #include "app/files/pending_file.h"
+#include "app/help/key_reference.h"
+#include "app/help/scene_schema.h"
 #include "app/json/json.h"
+#include "app/scene/read/scene.h"
 #include "app/scene/read/shipped_scenes.h"
 #include "app/words/print.h"
+#include "app/words/wrapped.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -20,25 +21,10 @@ namespace fs = std::filesystem;
 struct ScenesOptions {
     std::string copy;  ///< name of a scene; empty: list them
     fs::path folder = ".";
-    bool force = false, json = false;
+    bool force = false, json = false, schema = false;
+    std::string settable;             ///< a scene, whose names stand in dotted keys; empty: not asked for
+    std::optional<std::string> keys;  ///< a table or a key; empty: all of them
 };
-
-/// Number of columns of the terminal on stdout; 0 if stdout is no terminal.
-std::size_t terminal_columns() {
-    winsize size{};
-    return isatty(STDOUT_FILENO) != 0 && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
-}
-
-/// Wraps `text` to lines of at most `width` characters where words allow it, indented after the first.
-std::string wrapped(std::string text, std::size_t width, std::size_t indent) {
-    for (std::size_t begin = 0; text.size() - begin > width;) {
-        const std::size_t space = text.rfind(' ', begin + width);
-        if (space == std::string::npos || space <= begin) return text;
-        text.replace(space, 1, "\n" + std::string(indent, ' '));
-        begin = space + 1 + indent;
-    }
-    return text;
-}
 
 void print_list(const std::vector<ShippedScene>& scenes) {
     std::size_t widest = 0;
@@ -58,6 +44,21 @@ void print_json(const std::vector<ShippedScene>& scenes) {
     print_result("{}\n", list.dump(2));
 }
 
+/// For completion: the dotted keys of a scene, each with the words that it may be.
+void print_settable(const std::string& given) {
+    std::vector<std::string> sheets, obstacles;
+    try {
+        const fs::path file = find_scene(given);
+        const Scene scene = read_scene(file);
+        for (const SheetSpec& sheet : scene.sheets) sheets.push_back(sheet.name);
+        for (const auto* specs : {&scene.obstacles, &scene.bodies})
+            for (const ObstacleSpec& obstacle : *specs) obstacles.push_back(obstacle.name);
+    } catch (const Error&) {
+        // A scene that cannot be read has no names yet.
+    }
+    for (const std::string& line : settable_lines(sheets, obstacles)) print_result("{}\n", line);
+}
+
 /// Copies a scene and the files that it names into a folder, and prints their names there.
 void copy_scene(const ShippedScene& scene, const ScenesOptions& options) {
     std::vector<fs::path> files = files_of_scene(scene.file);
@@ -75,6 +76,18 @@ void copy_scene(const ShippedScene& scene, const ScenesOptions& options) {
 }
 
 int scenes(const ScenesOptions& options) {
+    if (options.schema) {
+        print_result("{}\n", scene_schema().dump(2));
+        return 0;
+    }
+    if (!options.settable.empty()) {
+        print_settable(options.settable);
+        return 0;
+    }
+    if (options.keys) {
+        print_result("{}", key_reference(*options.keys, terminal_columns()));
+        return 0;
+    }
     const fs::path folder = shipped_scene_folder();
     const std::vector<ShippedScene> shipped = shipped_scenes(folder);
     if (!options.copy.empty())
@@ -102,11 +115,23 @@ void add_scenes(CLI::App& program, Command& chosen) {
     command->add_flag("--force", options->force, "Replace files that exist")->needs(copy);
     command->add_flag("--json", options->json, "For scripts: name, file and description of each")
         ->excludes(copy);
+    CLI::Option* keys =
+        command
+            ->add_option("--keys", options->keys,
+                         "The keys of scenes, of one table or one key: what each may be and means")
+            ->option_text("[TABLE]")
+            ->expected(0, 1)
+            ->excludes(copy);
+    command->add_flag("--schema", options->schema, "For editors: the JSON Schema of scenes")
+        ->excludes(copy)
+        ->excludes(keys);
+    command->add_option("--settable", options->settable, "For completion: dotted keys of a scene")->group("");
     command->footer(
         "Any command takes the name of one in place of a file.\n"
         "Examples:\n"
         "  sherd scenes\n"
         "  sherd run plate_drop\n"
+        "  sherd scenes --keys solver\n"
         "  sherd scenes --copy bowl_on_anvil -o my_scenes");
     command->callback([&chosen, options] { chosen = [options] { return scenes(*options); }; });
 }

@@ -135,11 +135,11 @@ Scene with_edges(Scene scene, double times) {
 }
 
 Scene with_steps(Scene scene, double times) {
-    scene.solver.step *= times;
-    scene.frame_interval = std::max(scene.frame_interval, scene.solver.step);
-    if (scene.solver.step > scene.duration)
+    scene.simulation.stepper.step *= times;
+    scene.frame_interval = std::max(scene.frame_interval, scene.simulation.stepper.step);
+    if (scene.simulation.stepper.step > scene.duration)
         throw Error(fmt::format("a step of {:g} {} is longer than the run: give solver.step a quarter of it",
-                                scene.solver.step, scene.time_unit()));
+                                scene.simulation.stepper.step, scene.time_unit()));
     return scene;
 }
 

@@ -19,6 +19,8 @@ std::string value_words(const OptionValue& value) {
             return "scene";
         case OptionValue::Kind::shipped_scene:
             return "shipped_scene";
+        case OptionValue::Kind::setting:
+            return "setting";
         default:
             return "anything";
     }
@@ -65,6 +67,9 @@ _sherd_files() {
     done
 }
 
+# The keys of scenes, each with the words that it may be, and with the names of the scene in $1.
+_sherd_settings() { "${COMP_WORDS[0]}" scenes --settable "$1" 2>/dev/null; }
+
 # $1 KIND WORD...: what a value that begins with $1 may be.
 _sherd_offer() {
     local start=$1 kind=$2
@@ -76,18 +81,24 @@ _sherd_offer() {
             _sherd_files "$start" toml
             _sherd_offer "$start" shipped_scene
             ;;
+        setting) compgen -S = -W "$(_sherd_settings "$1" | sed 's/ .*//')" -- "$start" ;;
+        value) compgen -W "$(_sherd_settings "$1" | sed -n "s/^$2 //p")" -- "$start" ;;
         shipped_scene) compgen -W "$("${COMP_WORDS[0]}" scenes 2>/dev/null | sed 's/ .*//')" -- "$start" ;;
     esac
 }
 
 _sherd() {
-    local current=${COMP_WORDS[COMP_CWORD]} command='' expects='' arguments=0 at word
+    local current=${COMP_WORDS[COMP_CWORD]} command='' expects='' arguments=0 at word scene='' key=''
     COMPREPLY=()
     for ((at = 1; at < COMP_CWORD; ++at)); do
         word=${COMP_WORDS[at]}
-        if [[ $word == = ]]; then
-            continue # bash makes three words of --option=value
-        elif [[ -n $expects ]]; then
+        if [[ $word == = ]]; then # bash makes three words of --option=value and of KEY=VALUE
+            [[ -z $key ]] || expects="value $key"
+            continue
+        fi
+        key=''
+        if [[ -n $expects ]]; then
+            [[ $expects != setting ]] || key=$word
             expects=''
         elif [[ $word == -* ]]; then
             expects=$(_sherd_value "$command $word")
@@ -95,8 +106,11 @@ _sherd() {
             command=$word
         else
             ((++arguments))
+            [[ -n $scene ]] || scene=$word
         fi
     done
+    [[ $current != = || -z $key ]] || expects="value $key"
+    [[ $expects != setting && $expects != value* ]] || expects="${expects%% *} ${scene:--} ${expects#* }"
     [[ $current != = ]] || current=''
     if [[ -z $expects && $current == -* ]]; then
         expects="words $(_sherd_options "$command")"
@@ -107,6 +121,7 @@ _sherd() {
     fi
     [[ -n $expects ]] || expects="words $(_sherd_options "$command")"
     [[ $expects != file* && $expects != scene ]] || compopt -o filenames
+    [[ $expects != setting* ]] || compopt -o nospace
     mapfile -t COMPREPLY < <(_sherd_offer "$current" $expects)
 }
 

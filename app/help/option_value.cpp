@@ -42,6 +42,7 @@ OptionValue option_value(const CLI::Option& option) {
     if (text.empty()) return {Kind::none, {}};
     if (text.find('|') != std::string::npos) return {Kind::words, split(text, '|')};
     if (text == "SCENE.toml") return {Kind::scene, {}};
+    if (text.starts_with("KEY=VALUE")) return {Kind::setting, {}};
     if (text == "SCENE") return {Kind::shipped_scene, {}};
     if (const std::string extension = extension_of(text); !extension.empty())
         return {Kind::file, {extension}};

@@ -15,7 +15,8 @@ struct OptionValue {
         words,
         file,   ///< also a folder
         scene,  ///< a .toml file, or the name of a shipped scene
-        shipped_scene
+        shipped_scene,
+        setting  ///< KEY=VALUE of a scene
     };
 
     Kind kind = Kind::anything;
@@ -24,7 +25,8 @@ struct OptionValue {
 
 /// Reads it off the help, so that there is one place for either: words are the ones of an option text like
 /// `rigid|morph`; a file's option text ends in an extension (`RUN.h5`) or is PATH, FILE, FOLDER, OUT or MESH,
-/// or its description has extensions in brackets, `(.obj, .ply)`; SCENE.toml and SCENE are scenes.
+/// or its description has extensions in brackets, `(.obj, .ply)`; SCENE.toml and SCENE are scenes, and
+/// KEY=VALUE is a setting.
 OptionValue option_value(const CLI::Option& option);
 
 /// Its names as they are typed: -o, --output; none of an argument.

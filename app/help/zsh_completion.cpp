@@ -34,6 +34,8 @@ std::string action(const OptionValue& value) {
             return "_sherd_scenes";
         case OptionValue::Kind::shipped_scene:
             return "_sherd_shipped_scenes";
+        case OptionValue::Kind::setting:
+            return "_sherd_settings";
         default:
             return " ";
     }
@@ -71,7 +73,19 @@ std::string argument_lines(const CLI::App& command, const std::string& indent) {
     return lines;
 }
 
-constexpr const char* scene_functions = R"zsh(_sherd_shipped_scenes() {
+constexpr const char* scene_functions =
+    R"zsh(# The keys of scenes, each with the words that it may be, and with the names of the scene on the line.
+_sherd_settings() {
+    local -a lines
+    lines=(${(f)"$(_call_program settings sherd scenes --settable ${(q)words[(r)^-*]:--} 2>/dev/null)"})
+    if compset -P 1 '*='; then
+        compadd ${=${(M)lines:#${IPREFIX##*[[:space:]]}*}#* }
+    else
+        compadd -S = ${lines%% *}
+    fi
+}
+
+_sherd_shipped_scenes() {
     local -a names
     names=(${${(f)"$(_call_program scenes sherd scenes 2>/dev/null)"}%% *})
     compadd -a names

@@ -2,6 +2,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include "app/help/key_reference.h"
 #include "app/python/arrays.h"
 #include "app/python/bindings.h"
 #include "app/scene/read/scene.h"
@@ -32,6 +33,10 @@ std::vector<std::string> sheet_names(const Scene& scene) {
 }  // namespace
 
 void bind_scene(py::module_& module) {
+    constexpr std::size_t columns = 100;
+    module.def(
+        "scene_keys", [](const std::string& table) { return key_reference(table, columns); },
+        py::arg("table") = "", "The reference of scenes' keys, of one table or of all.");
     py::class_<Scene>(module, "Scene", "A scene that has been read and checked.")
         .def(py::init([](const std::string& file, const std::vector<std::string>& overrides,
                          const std::string& variant) {
@@ -51,9 +56,10 @@ void bind_scene(py::module_& module) {
         .def_readonly("variant", &Scene::variant, "Name of the variant; \"\": none.")
         .def_readonly("duration", &Scene::duration, "s; in statics the last load factor, or path.")
         .def_property_readonly(
-            "step", [](const Scene& scene) { return scene.solver.step; }, "s, length of a whole step.")
+            "step", [](const Scene& scene) { return scene.simulation.stepper.step; },
+            "s, length of a whole step.")
         .def_property_readonly("time_unit", &Scene::time_unit,
-                               "Of all times: \"s\", or in statics \"load\" or \"path\".")
+                               "Unit of all times: \"s\", or in statics \"load\" or \"path\".")
         .def_property_readonly("sheets", &sheet_names, "Names of the sheets, by `Snapshot.face_sheets`.");
 }
 

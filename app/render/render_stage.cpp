@@ -68,7 +68,8 @@ void RenderStage::read_scene(std::vector<std::string>& warnings) {
         if (scene_spec->sheets.size() != header.sheet_names.size())
             throw Error(fmt::format("it has {} sheets, the recording {}", scene_spec->sheets.size(),
                                     header.sheet_names.size()));
-        if (!scene_spec->gravity.isZero(0)) up = -scene_spec->gravity.normalized();
+        if (!scene_spec->simulation.stepper.gravity.isZero(0))
+            up = -scene_spec->simulation.stepper.gravity.normalized();
     } catch (const Error& error) {
         if (options.colour == RenderColour::axis) throw;
         scene_spec.reset();

@@ -52,7 +52,8 @@ void Runner::step_to_the_end() {
 }
 
 std::int64_t Runner::done() const {
-    return static_cast<std::int64_t>(std::floor(stepped.time() / definition.solver.step + rounding));
+    return static_cast<std::int64_t>(
+        std::floor(stepped.time() / definition.simulation.stepper.step + rounding));
 }
 
 bool Runner::has_ended() const {
@@ -64,7 +65,7 @@ bool Runner::is_complete() const {
 }
 
 double Runner::end_time() const {
-    return static_cast<double>(step_count(definition)) * definition.solver.step;
+    return static_cast<double>(step_count(definition)) * definition.simulation.stepper.step;
 }
 
 double Runner::wall_seconds() const {
@@ -73,7 +74,7 @@ double Runner::wall_seconds() const {
 }
 
 bool Runner::has_frame_now() const {
-    const bool between = stepped.time() != static_cast<double>(done()) * definition.solver.step;
+    const bool between = stepped.time() != static_cast<double>(done()) * definition.simulation.stepper.step;
     return stepped.arrived() || (!between && has_frame(definition, done()));
 }
 

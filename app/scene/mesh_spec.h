@@ -23,6 +23,8 @@ struct GeneratedMesh {
     bool structured = false;
     double width = 0, height = 0, radius = 0;  ///< m, those that the shape has
     std::vector<Vector2d> profile;             ///< (r, z) in m, of a plate, bowl or revolution
+    double foot = 0;                           ///< m, the radius out to which a plate is flat
+    double cap_degrees = 60;                   ///< of a bowl that is not given by its height
     double angle = 360;                        ///< degrees, of a revolution: a sector if it is less
     Polygon polygon;                           ///< of the shape of this name
 };

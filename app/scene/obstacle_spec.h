@@ -51,8 +51,8 @@ struct ObstacleSpec {
     Motion motion;
     std::optional<FreeMotion> free;  ///< a sphere's, a box's or a mesh's; none: it moves by its keys only
     double friction = 0;
-    double young = 0;   ///< Pa, of what it is made of
-    std::string where;  ///< "FILE:LINE: dotted.key" of its shape, for errors
+    double young = 3e10;  ///< Pa, of what it is made of: concrete, C20/25 of EN 1992-1-1, as most floors
+    std::string where;    ///< "FILE:LINE: dotted.key" of its shape, for errors
 };
 
 /// The cache that an obstacle deforms by; null: it is rigid.

@@ -9,7 +9,7 @@ namespace {
 /// Of output.every, that are over at the end of a step.
 std::int64_t intervals(const Scene& scene, std::int64_t step) {
     return static_cast<std::int64_t>(
-        std::floor(static_cast<double>(step) * scene.solver.step / scene.frame_interval + 1e-6));
+        std::floor(static_cast<double>(step) * scene.simulation.stepper.step / scene.frame_interval + 1e-6));
 }
 
 }  // namespace
@@ -26,7 +26,7 @@ std::vector<std::filesystem::path> input_files(const Scene& scene) {
 }
 
 std::int64_t step_count(const Scene& scene) {
-    return static_cast<std::int64_t>(std::ceil(scene.duration / scene.solver.step - 1e-6));
+    return static_cast<std::int64_t>(std::ceil(scene.duration / scene.simulation.stepper.step - 1e-6));
 }
 
 bool has_frame(const Scene& scene, std::int64_t step) {

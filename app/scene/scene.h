@@ -19,15 +19,11 @@
 #include "app/scene/score.h"
 #include "app/scene/strength_map.h"
 #include "app/scene/thickness_map.h"
-#include "core/bending/bending.h"
-#include "core/forces/damping.h"
 #include "core/forces/wind.h"
 #include "core/material/material.h"
-#include "core/membrane/membrane.h"
 #include "core/shell/face_fields.h"
-#include "core/time/implicit_stepper.h"
 #include "fracture/art_direction.h"
-#include "fracture/breaking.h"
+#include "fracture/simulation.h"
 
 namespace sherd {
 
@@ -92,9 +88,13 @@ struct WindSpec {
     std::string where;  ///< "FILE:LINE: dotted.key", for errors
 };
 
+struct MaterialPreset;
+
 /// `[sheet.NAME.fracture]`.
 struct FractureSpec {
-    Strength strength;  ///< without factors
+    const MaterialPreset* material = nullptr;  ///< the preset of the sheet's material; null: it has none
+    bool has_preset = false;                   ///< whether it breaks by that
+    Strength strength;                         ///< without factors
     /// Pa m^0.5 and J/m^2, of which one may be given; 0: none
     double toughness = 0, fracture_energy = 0;
     std::optional<double> toughness_across = {};  ///< for a pull across the axis; none: as along it
@@ -121,46 +121,19 @@ struct SheetSpec {
     std::string name;
     std::variant<GeneratedMesh, MeshFile, GivenMeshName> mesh;
     Eigen::Isometry3d place = Eigen::Isometry3d::Identity();
-    std::optional<BendSpec> bend;           ///< none: it starts at rest
-    Vector3d velocity = Vector3d::Zero();   ///< m/s
-    Vector3d spin = Vector3d::Zero();       ///< rad/s, about the centre of mass
-    Material material;                      ///< without a thickness, where there is a map of it
-    std::optional<ThicknessMap> thickness;  ///< none: the material's everywhere
-    MaterialAxis axis;                      ///< of a material that has directions
-    std::optional<FractureSpec> fracture;   ///< none: it does not break
+    std::optional<BendSpec> bend;            ///< none: it starts at rest
+    Vector3d velocity = Vector3d::Zero();    ///< m/s
+    Vector3d spin = Vector3d::Zero();        ///< rad/s, about the centre of mass
+    const MaterialPreset* preset = nullptr;  ///< of its material; null: none
+    Material material;                       ///< without a thickness, where there is a map of it
+    std::optional<ThicknessMap> thickness;   ///< none: the material's everywhere
+    MaterialAxis axis;                       ///< of a material that has directions
+    std::optional<FractureSpec> fracture;    ///< none: it does not break
     std::vector<PinSpec> pins, clamps;
     std::vector<SymmetrySpec> symmetries;
     std::string where;  ///< "FILE:LINE: dotted.key" of its mesh, for errors
 
     bool is_supported() const { return !pins.empty() || !clamps.empty() || !symmetries.empty(); }
-};
-
-/// `[contact]`: of sheets and fragments with each other and with themselves.
-struct ContactSpec {
-    bool sheets = true;   ///< whether they meet at all
-    bool exempt = true;   ///< whether what overlaps at the start may, until it is apart; else it is an error
-    double friction = 0;  ///< Coulomb coefficient
-};
-
-/// s, between two looks of explicit steps at what breaks: a crack runs a millimetre or so.
-constexpr double explicit_step = 2e-6;
-
-struct SolverSpec {
-    Scheme scheme = Scheme::implicit_euler;
-    bool alternates = false;  ///< "auto": explicit steps while something strikes or cracks
-    Method method = Method::quasi_newton;
-    double step = 1e-4;        ///< s; in statics, of load factor, or along the path
-    double load = 1;           ///< load factor at which statics end
-    bool arc_length = false;   ///< whether statics follow the path of equilibria, past limit points
-    double longest_path = 20;  ///< of path, if they do
-    bool until_crack = false;  ///< whether statics end with the first crack
-    BendingOptions bending;    ///< energy and Jacobian of the hinges
-    MembraneModel membrane = MembraneModel::constant_strain;
-    int max_iterations = 50;  ///< Newton iterations a step
-    double tolerance = 1e-6;  ///< largest last Newton correction, in mean edge lengths
-    BreakingRule rule = BreakingRule::staged;
-    int max_stages = 100;  ///< of staged breaking, a step
-    Damping damping;
 };
 
 /// A scene file, read and checked: every value is in SI units and in its allowed range.
@@ -174,21 +147,23 @@ struct Scene {
     GivenMeshes given_meshes = {};        ///< of a program, that sheets may name
     std::vector<ObstacleSpec> obstacles;  ///< that rest, or move by keys
     std::vector<ObstacleSpec> bodies;     ///< that are free
-    Vector3d gravity{0, 0, -9.81};        ///< m/s^2
     std::vector<LoadSpec> loads;
     std::vector<WindSpec> winds;
     std::vector<GaugeSpec> gauges;
-    ContactSpec contact;
-    SolverSpec solver;
-    double frame_interval = 0;         ///< s, output.every; at least solver.step
-    FaceFieldChoice fields;            ///< output.fields: that frames have
+    bool exempts_overlaps = true;  ///< what overlaps at the start may, until it is apart; else it is an error
+    /// As far as the scene alone tells them: without what refers to meshes.
+    SimulationOptions simulation = {};
+    double longest_path = 20;          ///< of path, at which statics end that follow one
+    double frame_interval = 0;         ///< s, output.every; at least a step
     double checkpoint_interval = 600;  ///< s of wall time, output.checkpoint; 0: only at the end
     std::map<std::string, std::string>
         settings;  ///< what variant and overrides make of the file: settings_of()
 
-    bool is_static() const { return solver.scheme == Scheme::statics; }
+    bool is_static() const { return simulation.stepper.scheme == Scheme::statics; }
     /// What its times are measured in: "s", or "load" or "path" in statics.
-    std::string time_unit() const { return !is_static() ? "s" : solver.arc_length ? "path" : "load"; }
+    std::string time_unit() const {
+        return !is_static() ? "s" : simulation.stepper.arc_length ? "path" : "load";
+    }
 };
 
 /// Returns the mesh files that a scene reads.

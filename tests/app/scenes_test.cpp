@@ -185,9 +185,10 @@ TEST_P(WholeScene, KeepsEveryLawInEveryFrame) {
     if (GetParam().name == "plate_drop") expect_shards(recording.frame(recording.frame_count() - 1));
     const Scene scene = read_scene(scene_file);
     const std::vector<StepReport> steps = recording.steps();
-    if (scene.sheets.front().pins.empty() && scene.solver.damping.mass == 0 && scene.bodies.empty())
-        expect_momentum(steps, first.mass.sum(), scene.gravity);
-    const bool is_explicit = scene.solver.scheme == Scheme::explicit_differences;
+    if (scene.sheets.front().pins.empty() && scene.simulation.stepper.shell.damping.mass == 0 &&
+        scene.bodies.empty())
+        expect_momentum(steps, first.mass.sum(), scene.simulation.stepper.gravity);
+    const bool is_explicit = scene.simulation.stepper.scheme == Scheme::explicit_differences;
     if (!is_explicit &&
         std::none_of(scene.obstacles.begin(), scene.obstacles.end(),
                      [](const ObstacleSpec& obstacle) { return !obstacle.motion.keys.empty(); }))

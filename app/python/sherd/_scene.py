@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import os
+import textwrap
 from collections.abc import Mapping
 from typing import Any
 
@@ -35,8 +36,9 @@ class Scene(_sherd.Scene):
     set      settings: values by dotted names of keys, {"solver.step": 1e-5}, which replace those of the source
     variant  name of a variant of the scene
 
-    The file scenes/README.md of Sherd describes all keys. Raises Error with a line for each mistake; for a dict the
-    messages name the scene "<dict>" and lines of `text`. Raises TypeError if a value has no equivalent in TOML.
+    Raises Error with a line for each mistake; for a dict the messages name the scene "<dict>" and lines of `text`.
+    Raises TypeError if a value has no equivalent in TOML. The tables of a scene, their keys, and what each may be:
+
     """
 
     def __init__(self, source: str | os.PathLike[str] | Mapping[str, Any], set: Mapping[str, Any] | None = None,
@@ -47,3 +49,6 @@ class Scene(_sherd.Scene):
             super().__init__("\n".join(lines_of(scene)) + "\n", "<dict>", overrides, variant, meshes)
         else:
             super().__init__(os.fspath(source), overrides, variant)
+
+
+Scene.__doc__ = (Scene.__doc__ or "").rstrip() + "\n\n" + textwrap.indent(_sherd.scene_keys(), "    ")

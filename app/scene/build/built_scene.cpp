@@ -27,7 +27,8 @@ namespace {
 
 void require_stability(const Scene& scene, const std::vector<SheetInput>& inputs, const BreakableShell& all) {
     const auto stable = [&](const BreakableShell& sheets) {
-        return stable_at_rest(sheets.mechanics(), scene.solver.bending.model, scene.solver.membrane);
+        return stable_at_rest(sheets.mechanics(), scene.simulation.stepper.shell.bending.model,
+                              scene.simulation.stepper.shell.membrane);
     };
     if (stable(all)) return;
     std::vector<std::string> mistakes;
@@ -42,31 +43,6 @@ void require_stability(const Scene& scene, const std::vector<SheetInput>& inputs
     if (!mistakes.empty()) throw Error(fmt::format("{}", fmt::join(mistakes, "\n")));
 }
 
-SimulationOptions plain_options(const Scene& scene) {
-    SimulationOptions options;
-    options.stepper.scheme = scene.solver.scheme;
-    options.alternates = scene.solver.alternates;
-    options.explicit_step = explicit_step;
-    options.stepper.method = scene.solver.method;
-    options.stepper.step = scene.solver.step;
-    options.stepper.arc_length = scene.solver.arc_length;
-    options.stepper.last_load = scene.solver.load;
-    options.until_crack = scene.solver.until_crack;
-    options.stepper.gravity = scene.gravity;
-    options.stepper.shell.bending = scene.solver.bending;
-    options.stepper.shell.membrane = scene.solver.membrane;
-    options.stepper.shell.damping = scene.solver.damping;
-    options.stepper.shell.yields = kept_yields(scene);
-    options.stepper.contact.sheets = scene.contact.sheets;
-    options.stepper.contact.friction = scene.contact.friction;
-    options.max_iterations = scene.solver.max_iterations;
-    options.tolerance = scene.solver.tolerance;
-    options.rule = scene.solver.rule;
-    options.max_stages = scene.solver.max_stages;
-    options.fields = scene.fields;
-    return options;
-}
-
 /// The scene's obstacles, which nothing may start in.
 void add_obstacles(const Scene& scene, BuiltScene& built, std::vector<std::string>& warnings) {
     ContactOptions& contact = built.options.stepper.contact;
@@ -77,7 +53,7 @@ void add_obstacles(const Scene& scene, BuiltScene& built, std::vector<std::strin
     const std::vector<Obstacle> bodies = make_obstacles(scene.bodies, sheets, warnings);
     require_free_start(scene, built.inputs, built.sheets, scene.obstacles, contact.obstacles, warnings);
     require_free_start(scene, built.inputs, built.sheets, scene.bodies, bodies, warnings);
-    if (!scene.contact.exempt) return;
+    if (!scene.exempts_overlaps) return;
     const std::size_t first = contact.obstacles.size(), count = first + bodies.size();
     let_sheets_overlap(built.inputs, contact.obstacles, 0, count, built.sheets);
     let_sheets_overlap(built.inputs, bodies, first, count, built.sheets);
@@ -89,7 +65,8 @@ BuiltScene build_scene(const Scene& scene, std::vector<SheetInput> inputs,
                        std::vector<std::string>& warnings) {
     require_few_pairs(scene, inputs);
     BreakableShell all(inputs);
-    BuiltScene built{std::move(inputs), std::move(all), plain_options(scene)};
+    BuiltScene built{std::move(inputs), std::move(all), scene.simulation};
+    built.options.stepper.shell.yields = kept_yields(scene);
     require_stability(scene, built.inputs, built.sheets);
     part_sheets(scene, built.inputs, built.sheets, warnings);
     add_obstacles(scene, built, warnings);

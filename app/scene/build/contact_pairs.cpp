@@ -35,7 +35,7 @@ EdgesOfSheet edges_of(const SheetInput& input) {
 }  // namespace
 
 void require_few_pairs(const Scene& scene, const std::vector<SheetInput>& inputs) {
-    if (!scene.contact.sheets) return;
+    if (!scene.simulation.stepper.contact.sheets) return;
     for (std::size_t s = 0; s < inputs.size(); ++s) {
         const double thickness = inputs[s].thickest();
         const EdgesOfSheet edges = edges_of(inputs[s]);

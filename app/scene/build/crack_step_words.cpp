@@ -13,9 +13,10 @@ namespace sherd {
 std::string crack_step_words(const Scene& scene, const BreakableShell& sheets) {
     const std::optional<double> longest = resolving_step(sheets);
     if (scene.is_static() || !longest) return {};
-    const bool by_turns = scene.solver.alternates;  // then cracks propagate in explicit steps
-    const bool is_explicit = by_turns || scene.solver.scheme == Scheme::explicit_differences;
-    const double step = by_turns ? std::min(scene.solver.step, explicit_step) : scene.solver.step,
+    const bool by_turns = scene.simulation.alternates;  // then cracks propagate in explicit steps
+    const bool is_explicit = by_turns || scene.simulation.stepper.scheme == Scheme::explicit_differences;
+    const double step = by_turns ? std::min(scene.simulation.stepper.step, scene.simulation.explicit_step)
+                                 : scene.simulation.stepper.step,
                  resolving = round_step(*longest);
     if (step > *longest && is_explicit)
         return fmt::format(

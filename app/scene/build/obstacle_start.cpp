@@ -162,8 +162,8 @@ void require_free_start(const Scene& scene, const std::vector<SheetInput>& input
                         const std::vector<ObstacleSpec>& specs, const std::vector<Obstacle>& obstacles,
                         std::vector<std::string>& warnings) {
     std::vector<std::string> mistakes;
-    std::vector<std::string>& refused = scene.contact.exempt ? warnings : mistakes;
-    const std::string then = scene.contact.exempt
+    std::vector<std::string>& refused = scene.exempts_overlaps ? warnings : mistakes;
+    const std::string then = scene.exempts_overlaps
                                  ? "; until it is out it is pushed only where it gets deeper, and "
                                    "faces there do not meet the surface (contact.start)"
                                  : "";

@@ -25,11 +25,11 @@ Scene alone(const Scene& scene, const SheetSpec& sheet) {
     result.loads.clear();
     result.winds.clear();
     result.gauges.clear();
-    result.solver.scheme = Scheme::statics;
-    result.solver.alternates = result.solver.arc_length = false;
-    result.solver.step = result.solver.load = result.duration = 1;
-    result.solver.until_crack = true;
-    result.solver.damping = {};
+    result.simulation.stepper.scheme = Scheme::statics;
+    result.simulation.alternates = result.simulation.stepper.arc_length = false;
+    result.simulation.stepper.step = result.simulation.stepper.last_load = result.duration = 1;
+    result.simulation.until_crack = true;
+    result.simulation.stepper.shell.damping = {};
     return result;
 }
 
@@ -50,14 +50,14 @@ double overload(const Scene& scene, const SheetSpec& sheet, SheetInput input) tr
 
 void warn_of_own_weight(const Scene& scene, const std::vector<SheetInput>& inputs,
                         std::vector<std::string>& warnings) {
-    if (scene.is_static() || scene.gravity.isZero(0)) return;
+    if (scene.is_static() || scene.simulation.stepper.gravity.isZero(0)) return;
     for (std::size_t s = 0; s < inputs.size(); ++s) {
         const SheetSpec& sheet = scene.sheets[s];
         if (!sheet.fracture || !sheet.is_supported() || sheet.bend) continue;
         const double share = overload(scene, sheet, inputs[s]);
         if (share <= borne_at_once) continue;
         const Material& material = inputs[s].material;
-        const Vector3d weight = material.density * material.thickness * scene.gravity;
+        const Vector3d weight = material.density * material.thickness * scene.simulation.stepper.gravity;
         warnings.push_back(fmt::format(
             "{}: the weight of sheet.{} alone takes {:.2g} of its strength, by statics, and acts at once: "
             "the "

@@ -128,7 +128,9 @@ bool surely_free_of_locking(const SheetInput& input) {
 void warn_of_locking(const SheetInput& input, const SheetSpec& sheet, const Scene& scene,
                      std::vector<std::string>& warnings) {
     const bool is_held = input.pinned.size() == input.mesh.number_of_vertices();
-    if (scene.solver.membrane == MembraneModel::arc || is_held || surely_free_of_locking(input)) return;
+    if (scene.simulation.stepper.shell.membrane == MembraneModel::arc || is_held ||
+        surely_free_of_locking(input))
+        return;
     const BreakableShell alone({input});
     const VectorXd measures = locking(alone.mechanics());
     Eigen::Index worst = 0;
@@ -149,12 +151,13 @@ void warn_of_locking(const SheetInput& input, const SheetSpec& sheet, const Scen
 void warn_of_long_step(const SheetInput& input, const SheetSpec& sheet, const Scene& scene,
                        std::vector<std::string>& warnings) {
     const double period = slowest_period(input);
-    if (!sheet.fracture || scene.is_static() || scene.solver.step <= period / steps_a_period) return;
+    if (!sheet.fracture || scene.is_static() || scene.simulation.stepper.step <= period / steps_a_period)
+        return;
     warnings.push_back(
         fmt::format("{}: solver.step of {:.2g} s is long even for the slowest vibration of sheet.{}, whose "
                     "period is {:.2g} s: use "
                     "{:.2g} s or less, and compare with a run of half the step",
-                    sheet.where, scene.solver.step, sheet.name, period, period / steps_a_period));
+                    sheet.where, scene.simulation.stepper.step, sheet.name, period, period / steps_a_period));
 }
 
 /// Surface strain at which a threshold is reached.
@@ -206,14 +209,14 @@ double approach(std::size_t sheet, const Scene& scene, const std::vector<SheetIn
     for (const RigidBody& body : options.stepper.contact.bodies)
         fastest = std::max(fastest, (input.velocity - body.velocity).norm() + spinning);
     for (std::size_t other = 0; other < inputs.size(); ++other)
-        if (other != sheet && scene.contact.sheets)
+        if (other != sheet && scene.simulation.stepper.contact.sheets)
             fastest = std::max(fastest, (input.velocity - inputs[other].velocity).norm() + spinning);
     return fastest;
 }
 
 void warn_of_long_ways(const Scene& scene, const std::vector<SheetInput>& inputs,
                        const SimulationOptions& options, std::vector<std::string>& warnings) {
-    const double step = scene.solver.step;
+    const double step = scene.simulation.stepper.step;
     for (std::size_t s = 0; s < inputs.size(); ++s) {
         const double speed = approach(s, scene, inputs, options), edge = measure(inputs[s].mesh).mean_edge;
         if (speed * step <= edge) continue;

@@ -132,7 +132,7 @@ Mover mover_of(const SheetInput& input, const SheetSpec& sheet, const Scene& sce
     const double size = box.diagonal().norm();
     if (sheet.spin != Vector3d::Zero()) box = around(box.center(), size);
     Mover mover{enlarged(box, slack * size + 0.5 * input.thickest()), input.velocity,
-                scene.solver.damping.mass};
+                scene.simulation.stepper.shell.damping.mass};
     const bool blown = std::any_of(scene.winds.begin(), scene.winds.end(), [&](const WindSpec& wind) {
         return wind.sheet.empty() || wind.sheet == sheet.name;
     });
@@ -217,7 +217,7 @@ void warn_of_unreachable(const Scene& scene, const std::vector<SheetInput>& inpu
     for (std::size_t s = 0; s < inputs.size(); ++s)
         movers.push_back(mover_of(inputs[s], scene.sheets[s], scene));
     for (const RigidBody& body : options.stepper.contact.bodies) movers.push_back(mover_of(body));
-    const Flight flight{scene.gravity, fastest_of(scene, inputs, options, movers)};
+    const Flight flight{scene.simulation.stepper.gravity, fastest_of(scene, inputs, options, movers)};
     const std::vector<double> found =
         gaps(options.stepper.contact.obstacles, inputs.size(), movers, flight, scene.duration);
     for (std::size_t i = 0; i < found.size(); ++i) {

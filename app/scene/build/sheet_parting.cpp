@@ -80,7 +80,7 @@ std::optional<Parting> parting(const Scene& scene, Index a, Index b,
     }
     const bool a_is_held = scene.sheets[a].is_supported(), b_is_held = scene.sheets[b].is_supported();
     if (a_is_held && b_is_held) return {};
-    const bool a_is_above = normal.dot(scene.gravity) > 0;
+    const bool a_is_above = normal.dot(scene.simulation.stepper.gravity) > 0;
     if (b_is_held || (a_is_above && !a_is_held)) return Parting{a, -way * normal};
     return Parting{b, way * normal};
 }
@@ -141,11 +141,11 @@ std::optional<PartedSheets> part(const Scene& scene, const std::vector<SheetInpu
 
 void part_sheets(const Scene& scene, std::vector<SheetInput>& inputs, BreakableShell& all,
                  std::vector<std::string>& warnings) {
-    if (!scene.contact.sheets) return;
+    if (!scene.simulation.stepper.contact.sheets) return;
     const std::vector<StartOverlap> overlaps = start_overlaps(all);
     if (overlaps.empty()) return;
     std::optional<PartedSheets> parted = part(scene, inputs, all, overlaps);
-    if (!parted && !scene.contact.exempt) throw not_apart(scene, all, overlaps);
+    if (!parted && !scene.exempts_overlaps) throw not_apart(scene, all, overlaps);
     if (!parted) {
         warnings.push_back(exemption(scene, all, overlaps));
         all.exempt(overlaps);
@@ -166,7 +166,7 @@ void part_sheets(const Scene& scene, std::vector<SheetInput>& inputs, BreakableS
 std::vector<StartFault> sheet_faults(const Scene& scene, const std::vector<SheetInput>& inputs,
                                      const BreakableShell& all) {
     std::vector<StartFault> faults;
-    if (!scene.contact.sheets) return faults;
+    if (!scene.simulation.stepper.contact.sheets) return faults;
     const std::vector<StartOverlap> overlaps = start_overlaps(all);
     if (overlaps.empty() || part(scene, inputs, all, overlaps)) return faults;
     for (const StartOverlap& overlap : overlaps)

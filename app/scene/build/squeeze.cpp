@@ -217,9 +217,9 @@ std::string message(const Scene& scene, const ObstacleSpec& one, const ObstacleS
 SqueezedSheets squeezed_sheets(const Scene& scene, const std::vector<SheetInput>& inputs,
                                const std::vector<Obstacle>& obstacles) {
     SqueezedSheets all;
-    const double end = scene.is_static() ? scene.solver.load : scene.duration;
+    const double end = scene.is_static() ? scene.simulation.stepper.last_load : scene.duration;
     for (std::size_t s = 0; s < inputs.size(); ++s) {
-        const Between sheet = between(inputs[s], scene.sheets[s], scene.gravity);
+        const Between sheet = between(inputs[s], scene.sheets[s], scene.simulation.stepper.gravity);
         const std::string name = "sheet." + scene.sheets[s].name;
         for (std::size_t one = 0; one < obstacles.size(); ++one)
             for (std::size_t other = 0; other < obstacles.size(); ++other) {

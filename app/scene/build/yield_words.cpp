@@ -10,11 +10,11 @@
 namespace sherd {
 
 bool keeps_bends(const Scene& scene, const SheetSpec& sheet) {
-    const SolverSpec& solver = scene.solver;
-    const bool to_the_end = solver.scheme == Scheme::implicit_euler || solver.scheme == Scheme::bdf2 ||
-                            solver.scheme == Scheme::statics;
-    return sheet.material.yield > 0 && to_the_end && !solver.alternates &&
-           solver.bending.model == BendingModel::coupled &&
+    const StepperOptions& stepper = scene.simulation.stepper;
+    const bool to_the_end = stepper.scheme == Scheme::implicit_euler || stepper.scheme == Scheme::bdf2 ||
+                            stepper.scheme == Scheme::statics;
+    return sheet.material.yield > 0 && to_the_end && !scene.simulation.alternates &&
+           stepper.shell.bending.model == BendingModel::coupled &&
            !(sheet.fracture && sheet.fracture->has_toughness());
 }
 

@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "app/scene/toml/toml_table.h"
 #include "core/shell/face_fields.h"
 
 namespace sherd {
@@ -16,8 +15,5 @@ inline constexpr std::array<std::string_view, 3> field_names{"stress", "curvatur
 
 /// The fields of faces among the names, which need not all be of fields.
 FaceFieldChoice chosen_fields(const std::vector<std::string>& names);
-
-/// `fields` of [output]: a list of names, true for all or false for none, which is the default.
-FaceFieldChoice read_fields(TomlTable& output);
 
 }  // namespace sherd

@@ -5,53 +5,118 @@
 
 #include "app/scene/read/selection.h"
 #include "app/scene/read/sheet_name.h"
-#include "app/scene/read/winds.h"
 
 namespace sherd {
 namespace {
 
-void read_amount(TomlTable& table, LoadSpec& load) {
-    const std::vector<std::string> kinds{"point", "line", "area", "pressure", "moment"};
-    for (const std::string& kind : kinds) {
-        if (!table.has(kind)) continue;
-        if (!load.kind.empty())
-            table.report(kind, fmt::format("conflicts with {}: write a load for each", load.kind));
-        load.kind = kind;
-    }
-    if (load.kind == "pressure")
-        load.pressure = table.number("pressure", "Pa", any_number);
-    else if (load.kind == "moment")
-        load.moment = table.number("moment", "N m/m", any_number);
-    else if (!load.kind.empty())
-        load.force = table.vector(load.kind, load.kind == "point"  ? "N"
-                                             : load.kind == "line" ? "N/m"
-                                                                   : "N/m^2");
-    else
-        table.report("", "has no size: give point, line, area (a vector), pressure or moment (a number)");
+/// Takes the kind of a load from the key of its size.
+void take_kind(TomlTable& table, std::string_view key, LoadSpec& load) {
+    if (!load.kind.empty())
+        table.report(key, fmt::format("conflicts with {}: write a load for each", load.kind));
+    load.kind = key;
 }
 
-LoadSpec read_load(TomlTable& table, const Scene& scene) {
-    LoadSpec load;
+void read_force(TomlTable& table, const KeyInfo& key, LoadSpec& load) {
+    if (!table.has(key.name)) return;
+    take_kind(table, key.name, load);
+    load.force = table.vector(key.name, key.rules.unit);
+}
+
+template <double LoadSpec::*member>
+void read_amount(TomlTable& table, const KeyInfo& key, LoadSpec& load) {
+    if (!table.has(key.name)) return;
+    take_kind(table, key.name, load);
+    load.*member = table.number(key.name, key.rules.unit, key.rules.range);
+}
+
+void complete_load(TomlTable& table, LoadSpec& load) {
     load.where = table.where("");
-    read_amount(table, load);
-    load.sheet = read_sheet_name(table, scene);
-    if (table.has("box") || table.has("boundary") || table.has("group")) {
-        load.on = read_selection(table);
-    } else if (load.kind == "point") {
+    if (load.kind.empty())
+        table.report("", "has no size: give point, line, area (a vector), pressure or moment (a number)");
+    if (selects(table))
+        complete_selection(table, load.on);
+    else if (load.kind == "point")
         table.report("", "acts on no vertex: give box = [[...], [...]], boundary = true or group = \"NAME\"");
+}
+
+constexpr KeyRules some_sheet{.what = "the name of a sheet", .otherwise = "all"};
+
+constexpr std::array size_keys{
+    special_key("point", Form::vector, "on each vertex of the selection", {.unit = "N"}, read_force),
+    special_key("line", Form::vector,
+                "per length at rest, along the boundary: edges with both ends in the selection",
+                {.unit = "N/m"}, read_force),
+    special_key("area", Form::vector,
+                "per area at rest: faces with all vertices in the selection; keeps its direction",
+                {.unit = "N/m^2"}, read_force),
+    special_key("pressure", Form::number,
+                "along the current normals of the faces with all vertices in the selection", {.unit = "Pa"},
+                read_amount<&LoadSpec::pressure>),
+    special_key("moment", Form::number, "per length at rest along the boundary, as for `line`",
+                {.unit = "N m/m"}, read_amount<&LoadSpec::moment>)};
+constexpr auto load_keys =
+    joined(size_keys, embedded<selection_keys, &LoadSpec::on>(),
+           std::array{key<&LoadSpec::sheet>("sheet", "name of the sheet that it acts on", some_sheet),
+                      key<&LoadSpec::ramp>("ramp", "grows linearly to its full size in this time, then stays",
+                                           {.unit = "s", .range = not_negative})});
+constexpr Section<LoadSpec> load_section{"What pushes and pulls", load_keys, complete_load};
+
+constexpr std::array gust_keys{
+    key<&GustSpec::amplitude>("amplitude", "root mean square of its magnitude",
+                              {.unit = "m/s", .range = not_negative, .required = true}),
+    key<&GustSpec::time>("time", "how long a gust lasts for whoever goes with the wind",
+                         {.unit = "s", .range = positive, .required = true}),
+    key<&GustSpec::length>("length", "how large a gust is",
+                           {.unit = "m", .range = positive, .required = true})};
+constexpr Section<GustSpec> gust_section{"Gusts", gust_keys};
+
+void complete_wind(TomlTable& table, WindSpec& wind) {
+    wind.where = table.where("");
+}
+
+constexpr std::array wind_keys{
+    key<&WindSpec::wind, &Wind::velocity>("velocity", "where the air goes", {.unit = "m/s"}),
+    key<&WindSpec::wind, &Wind::ramp>("ramp",
+                                      "velocity and gusts grow linearly to their full size in this time",
+                                      {.unit = "s", .range = not_negative}),
+    key<&WindSpec::wind, &Wind::density>("density", "that of air at 15 °C is the default; water has 1000",
+                                         {.unit = "kg/m^3", .range = positive}),
+    key<&WindSpec::wind, &Wind::drag>("drag", "drag coefficient of a face across the wind",
+                                      {.range = not_negative}),
+    key<&WindSpec::wind, &Wind::lift>(
+        "lift", "rise of the normal force's coefficient with the angle of a face to the wind (1/rad)",
+        {.range = not_negative}),
+    key<&WindSpec::wind, &Wind::friction>("friction", "coefficient along the face, of both sides together",
+                                          {.range = not_negative}),
+    table_key<gust_section, &WindSpec::gust>("gust", "added to `velocity`", {.otherwise = "none"}),
+    key<&WindSpec::sheet>("sheet", "name of the sheet that it acts on; each sheet is in one wind only",
+                          some_sheet)};
+constexpr Section<WindSpec> wind_section{"The air", wind_keys, complete_wind};
+
+constexpr std::array force_keys{
+    key<&Scene::simulation, &SimulationOptions::stepper, &StepperOptions::gravity>(
+        "gravity", "acceleration of all that falls", {.unit = "m/s^2"}),
+    table_key<load_section, &Scene::loads>("load", "what pushes and pulls", {.otherwise = "none"}),
+    table_key<wind_section, &Scene::winds>("wind", "the air", {.otherwise = "none"})};
+
+/// Reports the names of sheets that are not there, and sheets in two winds.
+void complete_forces(TomlTable& table, Scene& scene) {
+    for (TomlTable& load : table.tables("load")) check_sheet_name(load, scene);
+    std::vector<TomlTable> winds = table.tables("wind");
+    for (std::size_t i = 0; i < winds.size(); ++i) {
+        check_sheet_name(winds[i], scene);
+        for (std::size_t other = 0; other < i; ++other)
+            if (scene.winds[i].sheet == scene.winds[other].sheet || scene.winds[i].sheet.empty() ||
+                scene.winds[other].sheet.empty())
+                winds[i].report("sheet",
+                                fmt::format("a sheet is in the wind of {} already: give each wind the "
+                                            "name of another sheet",
+                                            scene.winds[other].where));
     }
-    load.ramp = table.number("ramp", "s", not_negative, 0);
-    table.finish();
-    return load;
 }
 
 }  // namespace
 
-void read_forces(TomlTable& table, Scene& scene) {
-    scene.gravity = table.vector("gravity", "m/s^2", scene.gravity);
-    for (TomlTable& load : table.tables("load")) scene.loads.push_back(read_load(load, scene));
-    read_winds(table, scene);
-    table.finish();
-}
+constinit const Section<Scene> force_section{"Gravity, loads and the air", force_keys, complete_forces};
 
 }  // namespace sherd

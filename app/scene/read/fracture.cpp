@@ -1,185 +1,239 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/scene/read/fracture.h"
 
+#include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <array>
-
 #include "app/scene/read/map_source.h"
+#include "app/scene/read/material_presets.h"
 
 namespace sherd {
 namespace {
 
+constexpr std::array<std::string_view, 2> laws{"strength", "toughness"}, measures{"surface", "bending"},
+    paths{"cut", "edges"};
+constexpr std::array<std::string_view, 1> map_values{"never"};
+
 /// One number for all directions, or two: along and across the material's axis.
-Eigen::Vector2d read_value(TomlTable& table, std::string_view key, std::string_view unit) {
-    if (table.is_array(key)) return table.pair(key, unit, positive);
-    return Eigen::Vector2d::Constant(table.number(key, unit, positive));
+Eigen::Vector2d read_directional(TomlTable& table, const KeyInfo& key) {
+    if (table.is_array(key.name)) return table.pair(key.name, key.rules.unit, key.rules.range);
+    return Eigen::Vector2d::Constant(table.number(key.name, key.rules.unit, key.rules.range));
 }
 
-/// How the sheet's material breaks, if the scene wants it to; null: the scene tells it.
-const FracturePreset* read_fracture_preset(TomlTable& table, const MaterialPreset* material) {
-    if (!table.flag("preset", false)) return nullptr;
-    if (material && material->fracture) return &*material->fracture;
+void set_strength(FractureSpec& fracture, Measure measure, const Eigen::Vector2d& value) {
+    fracture.strength.measure = measure;
+    fracture.strength.along = value[0];
+    fracture.strength.across = value[1];
+}
+
+void set_toughness(FractureSpec& fracture, const Eigen::Vector2d& value) {
+    fracture.toughness = value[0];
+    fracture.toughness_across.reset();
+    if (value[1] != value[0]) fracture.toughness_across = value[1];
+}
+
+/// Takes from the preset of the sheet's material how the sheet breaks; keys that follow win.
+void read_fracture_preset(TomlTable& table, const KeyInfo& key, FractureSpec& fracture) {
+    if (!table.flag(key.name, false)) return;
+    static constexpr FracturePreset none{};  // which is one mistake, not two
+    const bool is_known = fracture.material != nullptr && fracture.material->fracture.has_value();
+    const FracturePreset& preset = is_known ? *fracture.material->fracture : none;
+    set_strength(fracture, Measure::stress, {preset.strength, preset.strength_across});
+    set_toughness(fracture, {preset.toughness, preset.toughness_across});
+    fracture.speed_limit = preset.speed_limit;
+    fracture.weibull_modulus = preset.weibull_modulus;
+    fracture.weibull_area = preset.weibull_area;
+    fracture.has_preset = true;
+    if (is_known) return;
     std::vector<std::string_view> names;
     for (const MaterialPreset& known : material_presets())
         if (known.fracture) names.push_back(known.name);
-    table.report("preset", fmt::format("needs one of these as material.preset: {}", fmt::join(names, ", ")));
-    static constexpr FracturePreset none{};  // which is one mistake, not two
-    return &none;
+    table.report(key.name, fmt::format("needs one of these as material.preset: {}", fmt::join(names, ", ")));
 }
 
-/// What a hinge fails by, in the unit of the key that gives its strength.
-Measure read_measure(TomlTable& table, bool in_pascal) {
-    constexpr std::array<std::string_view, 2> names{"surface", "bending"};
-    if (!table.has("measure") || table.choice("measure", names) != "bending")
-        return in_pascal ? Measure::stress : Measure::strain;
-    if (in_pascal) table.report("measure", "\"bending\" is a strain: give strain (1/m) instead of strength");
-    return Measure::bending;
+void read_strain(TomlTable& table, const KeyInfo& key, FractureSpec& fracture) {
+    if (table.has(key.name)) set_strength(fracture, Measure::strain, read_directional(table, key));
 }
 
-Strength read_strength(TomlTable& table, const FracturePreset* preset) {
-    const bool given = table.has("strength"), in_pascal = given || preset, in_strain = table.has("strain");
-    if (in_pascal && in_strain)
+void read_strength(TomlTable& table, const KeyInfo& key, FractureSpec& fracture) {
+    if (table.has(key.name)) set_strength(fracture, Measure::stress, read_directional(table, key));
+}
+
+void read_measure(TomlTable& table, const KeyInfo& key, FractureSpec& fracture) {
+    if (!table.has(key.name) || table.choice(key.name, key.rules.choices) != "bending") return;
+    if (fracture.strength.measure == Measure::stress)
+        table.report(key.name, "\"bending\" is a strain: give strain (1/m) instead of strength");
+    fracture.strength.measure = Measure::bending;
+}
+
+void read_toughness(TomlTable& table, const KeyInfo& key, FractureSpec& fracture) {
+    if (table.has(key.name)) set_toughness(fracture, read_directional(table, key));
+}
+
+void read_fracture_energy(TomlTable& table, const KeyInfo& key, FractureSpec& fracture) {
+    if (!table.has(key.name)) return;
+    if (!table.has("toughness")) set_toughness(fracture, Eigen::Vector2d::Zero());
+    fracture.fracture_energy = table.number(key.name, key.rules.unit, key.rules.range);
+}
+
+void read_never(TomlTable& table, const KeyInfo& key, StrengthMap& map) {
+    if (table.has(key.name)) map.never = !table.choice(key.name, key.rules.choices).empty();
+}
+
+void complete_map(TomlTable& table, StrengthMap& map) {
+    map.where = complete_map_source(table);
+}
+
+constexpr auto map_keys = joined(
+    embedded<map_source_keys, &StrengthMap::source>(),
+    std::array{key<&StrengthMap::range>(
+                   "range", "`[a, b]`: the factor is `a` where the value is 0 and `b` where it is 1",
+                   {.range = not_negative, .otherwise = "the value itself", .excludes = {"value"}}),
+               special_key("value", Form::choice,
+                           "nothing breaks where the value is a half or more, and all else as it is",
+                           {.choices = map_values, .otherwise = "a factor"}, read_never),
+               key<&StrengthMap::of>("of", "what is multiplied", {.choices = laws, .excludes = {"value"}})});
+constexpr Section<StrengthMap> map_section{"Strength or toughness from place to place", map_keys,
+                                           complete_map};
+
+void read_edges(TomlTable& table, const KeyInfo& key, Score& score) {
+    if (table.has(key.name)) score.kind = ScoreFile{table.file(key.name, key.rules.what)};
+}
+
+void read_line(TomlTable& table, const KeyInfo& key, Score& score) {
+    if (!table.has(key.name)) return;
+    ScoreLine line;
+    for (const Eigen::VectorXd& point :
+         table.rows(key.name, key.rules.unit, key.rules.least_rows, key.rules.columns))
+        line.points.push_back(point);
+    score.kind = line;
+}
+
+void complete_edges(TomlTable& table, Score& score) {
+    const bool edges = table.has("edges");
+    if (!edges && !table.has("line")) table.report("", "needs one of edges and line");
+    score.where = table.where(edges ? "edges" : "line");
+}
+
+constexpr std::array edge_keys{
+    special_key("edges", Form::file, "a list of edges of this mesh file, as for `sherd cut`",
+                {.what = "the name of a list of edges"}, read_edges),
+    special_key("line", Form::rows, "`[[x, y, z], [x, y, z], ...]`, in the mesh's frame, before `place`",
+                {.unit = "m", .excludes = {"edges"}, .least_rows = 2, .columns = 3}, read_line)};
+constexpr auto score_keys =
+    joined(edge_keys,
+           std::array{key<&Score::factor>("factor", "what the strength, or the toughness, is multiplied by",
+                                          {.range = positive, .required = true}),
+                      key<&Score::of>("of", "what is multiplied; `\"toughness\"`: the line leads cracks",
+                                      {.choices = laws})});
+constexpr Section<Score> score_section{"A scored line", score_keys, complete_edges};
+constexpr Section<Score> crack_section{"A crack that is there from the start", edge_keys, complete_edges};
+
+void check_strength(TomlTable& table, const FractureSpec& fracture) {
+    const bool given = table.has("strength"), in_strain = table.has("strain");
+    if (in_strain && (given || fracture.has_preset))
         table.report(given ? "strength" : "preset", "conflicts with strain: give one of them");
-    if (!in_pascal && !in_strain)
+    if (!in_strain && !given && !fracture.has_preset)
         table.report("", "needs strain (1/m) or strength (Pa): what the sheet withstands; or preset = true");
-    Strength strength;
-    strength.measure = read_measure(table, in_pascal);
-    Eigen::Vector2d value(strength.along, strength.across);
-    if (given)
-        value = read_value(table, "strength", "Pa");
-    else if (preset)
-        value = {preset->strength, preset->strength_across};
-    else if (in_strain)
-        value = read_value(table, "strain", "1/m");
-    strength.along = value[0];
-    strength.across = value[1];
-    strength.crack_tip_factor =
-        table.number("crack_tip", "", {[](double x) { return x > 0 && x <= 1; }, "a number above 0, up to 1"},
-                     strength.crack_tip_factor);
-    return strength;
 }
 
-/// Reads the toughness and returns the key that gives it; empty: there is none.
-std::string_view read_toughness_value(TomlTable& table, const FracturePreset* preset,
-                                      FractureSpec& fracture) {
-    const bool energy = table.has("fracture_energy"), intensity = table.has("toughness");
-    if (energy && intensity) table.report("fracture_energy", "conflicts with toughness: give one of them");
-    if (energy) {
-        fracture.fracture_energy = table.number("fracture_energy", "J/m^2", positive);
-        return "fracture_energy";
-    }
-    if (!intensity && !preset) return "";
-    const Eigen::Vector2d value = intensity ? read_value(table, "toughness", "Pa m^0.5")
-                                            : Eigen::Vector2d(preset->toughness, preset->toughness_across);
-    fracture.toughness = value[0];
-    if (value[1] != value[0]) fracture.toughness_across = value[1];
-    return intensity ? "toughness" : "preset";
-}
-
-/// Cracks that go on by toughness are born where the stress is over the strength, and have rules of their
+/// Cracks that propagate by toughness start where the stress exceeds the strength, and have rules of their
 /// own.
-void read_toughness(TomlTable& table, const FracturePreset* preset, FractureSpec& fracture) {
-    const std::string_view key = read_toughness_value(table, preset, fracture);
-    if (preset) fracture.speed_limit = preset->speed_limit;
-    if (table.has("speed_limit")) {
-        fracture.speed_limit = table.number("speed_limit", "m/s", positive);
-        if (key.empty()) table.report("speed_limit", "needs toughness, or fracture_energy");
+void check_toughness(TomlTable& table, const FractureSpec& fracture) {
+    const char* given = table.has("fracture_energy") ? "fracture_energy"
+                        : table.has("toughness")     ? "toughness"
+                                                     : nullptr;
+    if (given == nullptr && !fracture.has_preset) {
+        for (const char* key : {"speed_limit", "path"})
+            if (table.has(key)) table.report(key, "needs toughness, or fracture_energy");
+        return;
     }
-    if (table.has("path")) {
-        constexpr std::array<std::string_view, 2> paths{"cut", "edges"};
-        fracture.path = table.choice("path", paths) == "edges" ? CrackPath::edges : CrackPath::cut;
-        if (key.empty()) table.report("path", "needs toughness, or fracture_energy");
-    }
-    if (key.empty()) return;
-    if (!table.has("strength") && !preset)
-        table.report(key, "needs strength (Pa), over which cracks are born, instead of strain");
+    if (!table.has("strength") && !fracture.has_preset)
+        table.report(given, "needs strength (Pa), over which cracks are born, instead of strain");
     if (table.has("crack_tip"))
         table.report("crack_tip", "conflicts with toughness, by which the tips of cracks go on");
 }
 
-void read_scatter(TomlTable& table, const FracturePreset* preset, FractureSpec& fracture) {
-    if (preset) {
-        fracture.weibull_modulus = preset->weibull_modulus;
-        fracture.weibull_area = preset->weibull_area;
-    }
-    if (table.has("weibull")) fracture.weibull_modulus = table.number("weibull", "", positive);
-    if (table.has("weibull_area")) {
-        if (!table.has("weibull") && !preset)
-            table.report("weibull_area", "needs weibull, the modulus of the scatter");
-        fracture.weibull_area = table.number("weibull_area", "m^2", positive);
-    }
+/// Reports maps and scores of a toughness that there is not.
+void check_laws(TomlTable& table, const FractureSpec& fracture) {
+    if (fracture.has_toughness()) return;
+    const auto check = [](TomlTable& factor, FractureLaw law) {
+        if (law == FractureLaw::toughness)
+            factor.report("of", "\"toughness\" needs fracture.toughness, or fracture_energy");
+    };
+    std::vector<TomlTable> maps = table.tables("map"), scores = table.tables("score");
+    for (std::size_t i = 0; i < maps.size(); ++i) check(maps[i], fracture.maps[i].of);
+    for (std::size_t i = 0; i < scores.size(); ++i) check(scores[i], fracture.scores[i].of);
 }
 
-/// What a map or a score multiplies.
-FractureLaw read_law(TomlTable& table, bool has_toughness) {
-    constexpr std::array<std::string_view, 2> names{"strength", "toughness"};
-    if (!table.has("of") || table.choice("of", names) != "toughness") return FractureLaw::strength;
-    if (!has_toughness) table.report("of", "\"toughness\" needs fracture.toughness, or fracture_energy");
-    return FractureLaw::toughness;
+void complete_fracture(TomlTable& table, FractureSpec& fracture) {
+    check_strength(table, fracture);
+    check_toughness(table, fracture);
+    if (table.has("weibull_area") && !table.has("weibull") && !fracture.has_preset)
+        table.report("weibull_area", "needs weibull, the modulus of the scatter");
+    check_laws(table, fracture);
 }
 
-StrengthMap read_map(TomlTable& table, const std::filesystem::path& directory, bool has_toughness) {
-    StrengthMap map;
-    map.source = read_map_source(table, directory, map.where);
-    if (table.has("range")) map.range = table.pair("range", "", not_negative, false);
-    map.of = read_law(table, has_toughness);
-    if (table.has("value")) {
-        constexpr std::array<std::string_view, 1> names{"never"};
-        map.never = !table.choice("value", names).empty();
-        for (const char* other : {"range", "of"})
-            if (table.has(other))
-                table.report(other, "conflicts with value = \"never\", which keeps what is white whole");
-    }
-    table.finish();
-    return map;
-}
+constexpr Range above_0_to_1{.least = 0, .most = 1, .with_most = true};
 
-/// Which edges: one of `edges` and `line`.
-Score read_edges(TomlTable& table, const std::filesystem::path& directory) {
-    Score score;
-    const bool edges = table.has("edges"), line = table.has("line");
-    if (edges && line) table.report("line", "conflicts with edges: give one of them");
-    if (!edges && !line) table.report("", "needs one of edges and line");
-    score.where = table.where(edges ? "edges" : "line");
-    if (edges) score.kind = ScoreFile{directory / table.string("edges", "the name of a list of edges")};
-    if (line) {
-        ScoreLine polyline;
-        for (const Eigen::VectorXd& point : table.rows("line", "m", 2, 3)) polyline.points.push_back(point);
-        score.kind = polyline;
-    }
-    return score;
-}
-
-Score read_score(TomlTable& table, const std::filesystem::path& directory, bool has_toughness) {
-    Score score = read_edges(table, directory);
-    score.factor = table.number("factor", "", positive);
-    score.of = read_law(table, has_toughness);
-    table.finish();
-    return score;
-}
+constexpr std::array fracture_keys{
+    special_key("preset", Form::flag,
+                "`true`: breaks like the preset of its material; keys that are given win",
+                {.otherwise = "`false`"}, read_fracture_preset),
+    special_key("strain", Form::number | Form::pair,
+                "times half the thickness: the tensile strain at the surface that a hinge bears",
+                {.unit = "1/m", .range = positive}, read_strain),
+    special_key("strength", Form::number | Form::pair, "the tensile stress at the surface that a hinge bears",
+                {.unit = "Pa", .range = positive}, read_strength),
+    special_key("measure", Form::choice,
+                "`\"bending\"`, with `strain`: by the hinge's bending strain alone, the paper's measure",
+                {.choices = measures, .otherwise = "`\"surface\"`"}, read_measure),
+    key<&FractureSpec::strength, &Strength::crack_tip_factor>(
+        "crack_tip", "times the strength of a hinge that would continue a crack; 1: no difference",
+        {.range = above_0_to_1}),
+    special_key("toughness", Form::number | Form::pair,
+                "K_Ic, by which cracks go on; needs `strength`; `[along, across]`",
+                {.unit = "Pa m^0.5", .range = positive, .otherwise = "none"}, read_toughness),
+    special_key("fracture_energy", Form::number, "G_c, instead of `toughness`: K_Ic = sqrt(Y G_c)",
+                {.unit = "J/m^2", .range = positive, .otherwise = "none", .excludes = {"toughness"}},
+                read_fracture_energy),
+    key<&FractureSpec::speed_limit>(
+        "speed_limit", "that no tip of a crack exceeds",
+        {.unit = "m/s", .range = positive, .otherwise = "by the material: 0.45 of the speed of shear waves"}),
+    key<&FractureSpec::path>("path",
+                             "whether cracks by toughness cut the mesh along their way, or keep to its edges",
+                             {.choices = paths}),
+    key<&FractureSpec::weibull_modulus>("weibull", "Weibull modulus of the scatter between hinges",
+                                        {.range = positive, .otherwise = "no scatter"}),
+    key<&FractureSpec::weibull_area>("weibull_area", "area of sheet that has the mean strength that is given",
+                                     {.unit = "m^2", .range = positive, .otherwise = "that of each hinge"}),
+    table_key<map_section, &FractureSpec::maps>(
+        "map", "strength or toughness from place to place, from a texture, an OpenVDB grid or a PLY file",
+        {.otherwise = "the same everywhere"}),
+    table_key<score_section, &FractureSpec::scores>("score", "scored lines", {.otherwise = "none"}),
+    table_key<crack_section, &FractureSpec::cracks>("crack", "cracks that are there from the start",
+                                                    {.otherwise = "none"}),
+    key<&FractureSpec::art_direction, &ArtDirection::after>(
+        "after", "nothing breaks before this time (in statics, this load factor), whatever it bears",
+        {.unit = "s", .range = not_negative}),
+    key<&FractureSpec::art_direction, &ArtDirection::smallest>(
+        "smallest",
+        "no piece comes off that is smaller than a square of this side; not with `rule = \"paper\"`",
+        {.unit = "m", .range = positive, .otherwise = "any"})};
+constexpr Section<FractureSpec> fracture_section{"What a sheet withstands", fracture_keys, complete_fracture};
 
 }  // namespace
 
-FractureSpec read_fracture(TomlTable& table, const std::filesystem::path& directory,
-                           const MaterialPreset* material) {
-    FractureSpec fracture;
-    const FracturePreset* preset = read_fracture_preset(table, material);
-    fracture.strength = read_strength(table, preset);
-    read_toughness(table, preset, fracture);
-    read_scatter(table, preset, fracture);
-    const bool tough = fracture.has_toughness();
-    for (TomlTable& map : table.tables("map")) fracture.maps.push_back(read_map(map, directory, tough));
-    for (TomlTable& score : table.tables("score"))
-        fracture.scores.push_back(read_score(score, directory, tough));
-    for (TomlTable& crack : table.tables("crack")) {
-        fracture.cracks.push_back(read_edges(crack, directory));
-        crack.finish();
-    }
-    fracture.art_direction.after = table.number("after", "s", not_negative, 0.0);
-    if (table.has("smallest")) fracture.art_direction.smallest = table.number("smallest", "m", positive);
-    table.finish();
-    return fracture;
+void read_fracture(TomlTable& table, const KeyInfo& key, SheetSpec& sheet) {
+    auto inner = table.table(key.name);
+    if (!inner) return;
+    FractureSpec& fracture = sheet.fracture.emplace();
+    fracture.material = sheet.preset;
+    read_section(*inner, fracture_section, fracture);
+}
+
+std::vector<SectionText> inside_fracture() {
+    return {text_of(fracture_section)};
 }
 
 }  // namespace sherd

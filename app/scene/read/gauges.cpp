@@ -5,30 +5,37 @@
 #include <array>
 
 #include "app/scene/read/fields.h"
-#include "app/scene/read/plain_name.h"
-#include "app/scene/read/sheet_name.h"
 
 namespace sherd {
+namespace {
 
-void read_gauges(TomlTable& root, Scene& scene) {
-    std::vector<std::string> names;
-    for (TomlTable& table : root.tables("gauge")) {
-        GaugeSpec gauge;
-        gauge.where = table.where("at");
-        gauge.name = read_plain_name(table, "gauge", "names a group of the recording", names);
-        names.push_back(gauge.name);
-        gauge.at = table.vector("at", "m");
-        gauge.sheet = read_sheet_name(table, scene);
-        if (table.has("record")) {
-            constexpr std::array<std::string_view, 4> names_of_all{"displacement", "stress", "curvature",
-                                                                   "membrane_strain"};
-            const std::vector<std::string> wanted = table.choices("record", names_of_all);
-            gauge.displacement = std::ranges::find(wanted, "displacement") != wanted.end();
-            gauge.fields = chosen_fields(wanted);
-        }
-        table.finish();
-        scene.gauges.push_back(gauge);
-    }
+constexpr std::array<std::string_view, 4> readings{"displacement", "stress", "curvature", "membrane_strain"};
+
+void read_record(TomlTable& table, const KeyInfo& key, GaugeSpec& gauge) {
+    if (!table.has(key.name)) return;
+    const std::vector<std::string> wanted = table.choices(key.name, key.rules.choices);
+    gauge.displacement = std::ranges::find(wanted, "displacement") != wanted.end();
+    gauge.fields = chosen_fields(wanted);
 }
+
+void complete_gauge(TomlTable& table, GaugeSpec& gauge) {
+    gauge.where = table.where("at");
+}
+
+constexpr std::array gauge_keys{
+    key<&GaugeSpec::name>("name", "of letters, digits, `_` and `-`: names its group in the recording",
+                          {.what = "the name of the gauge", .required = true}),
+    key<&GaugeSpec::at>("at",
+                        "the point of the sheets, as placed, that is nearest, up to an edge length away",
+                        {.unit = "m", .required = true}),
+    key<&GaugeSpec::sheet>("sheet", "name of the sheet that it is on",
+                           {.what = "the name of a sheet", .otherwise = "the nearest"}),
+    special_key("record", Form::names, "what is recorded of the point and of its face",
+                {.choices = readings, .otherwise = "`[\"displacement\"]`"}, read_record)};
+
+}  // namespace
+
+constinit const Section<GaugeSpec> gauge_section{"A point at which something is measured", gauge_keys,
+                                                 complete_gauge};
 
 }  // namespace sherd

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/scene/keys/key.h"
 #include "app/scene/scene.h"
-#include "app/scene/toml/toml_table.h"
 
 namespace sherd {
 
-/// Reads `[[gauge]]` of the scene's root, after its sheets.
-void read_gauges(TomlTable& root, Scene& scene);
+extern const Section<GaugeSpec> gauge_section;  ///< `[[gauge]]`
 
 }  // namespace sherd

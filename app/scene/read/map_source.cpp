@@ -3,19 +3,30 @@
 
 namespace sherd {
 
-MapSource read_map_source(TomlTable& map, const std::filesystem::path& directory, std::string& where) {
+void read_texture(TomlTable& table, const KeyInfo& key, MapSource& source) {
+    if (table.has(key.name)) source = MapTexture{table.file(key.name, key.rules.what)};
+}
+
+void read_vdb(TomlTable& table, const KeyInfo& key, MapSource& source) {
+    if (table.has(key.name)) source = MapGrid{table.file(key.name, key.rules.what)};
+}
+
+void read_grid(TomlTable& table, const KeyInfo& key, MapSource& source) {
+    if (!table.has(key.name)) return;
+    if (auto* grid = std::get_if<MapGrid>(&source))
+        grid->name = table.string(key.name, key.rules.what);
+    else
+        table.report(key.name, "needs vdb, the file that has the grid");
+}
+
+void read_property(TomlTable& table, const KeyInfo& key, MapSource& source) {
+    if (table.has(key.name)) source = MapProperty{table.string(key.name, key.rules.what)};
+}
+
+std::string complete_map_source(TomlTable& map) {
     const bool texture = map.has("texture"), vdb = map.has("vdb"), property = map.has("property");
-    if (texture + vdb + property != 1) map.report("", "needs one of texture, vdb and property");
-    where = map.where(texture ? "texture" : vdb ? "vdb" : "property");
-    MapSource source;
-    if (texture) source = MapTexture{directory / map.string("texture", "the name of a PNG file")};
-    if (vdb) {
-        MapGrid grid{directory / map.string("vdb", "the name of an OpenVDB file")};
-        if (map.has("grid")) grid.name = map.string("grid", "the name of a float grid");
-        source = grid;
-    }
-    if (property) source = MapProperty{map.string("property", "the name of a property of vertices")};
-    return source;
+    if (!texture && !vdb && !property) map.report("", "needs one of texture, vdb and property");
+    return map.where(texture ? "texture" : vdb ? "vdb" : "property");
 }
 
 }  // namespace sherd

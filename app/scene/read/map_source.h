@@ -1,13 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/scene/keys/key.h"
 #include "app/scene/map_source.h"
-#include "app/scene/toml/toml_table.h"
 
 namespace sherd {
 
-/// Reads what a map of a sheet has its values from: one of `texture`, `vdb` (with `grid`) and `property`.
-/// where: gets the place of that key. `directory` is where the names of files are understood from.
-MapSource read_map_source(TomlTable& map, const std::filesystem::path& directory, std::string& where);
+void read_texture(TomlTable& table, const KeyInfo& key, MapSource& source);
+void read_vdb(TomlTable& table, const KeyInfo& key, MapSource& source);
+void read_grid(TomlTable& table, const KeyInfo& key, MapSource& source);
+void read_property(TomlTable& table, const KeyInfo& key, MapSource& source);
+
+/// The keys of what a map of a sheet has its values from.
+inline constexpr std::array map_source_keys{
+    special_key("texture", Form::file,
+                "values from 0 (black) to 1, over the texture coordinates of the mesh: a PNG file",
+                {.what = "the name of a PNG file", .excludes = {"vdb", "property"}}, read_texture),
+    special_key("vdb", Form::file, "values of a float grid, in the frame and unit of the mesh file",
+                {.what = "the name of an OpenVDB file", .excludes = {"property"}}, read_vdb),
+    special_key("grid", Form::text, "the name of the grid in the file of `vdb`",
+                {.what = "the name of a float grid", .otherwise = "the only float grid"}, read_grid),
+    special_key("property", Form::text, "a number that the mesh's PLY file has for each vertex",
+                {.what = "the name of a property of vertices"}, read_property)};
+
+/// Does what the keys of a map's source cannot do alone: one of them must be given. Returns where it stands.
+std::string complete_map_source(TomlTable& map);
 
 }  // namespace sherd

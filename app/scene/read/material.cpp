@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 
 #include "app/scene/read/map_source.h"
@@ -11,31 +10,93 @@
 namespace sherd {
 namespace {
 
-constexpr Range poisson_range{[](double x) { return x > -1 && x < 0.5; }, "a number between -1 and 0.5"};
+constexpr Range poisson_range{.least = -1, .most = 0.5};
+constexpr double usual_poisson = 0.3;
 
-/// Young's moduli, shear modulus and Poisson's ratio.
-void read_constants(TomlTable& table, const Material* preset, Material& material) {
-    if (table.is_array("young")) {
-        const Eigen::Vector2d young = table.pair("young", "Pa", positive);
+/// What a preset gives need not be given.
+std::optional<double> from_preset(const SheetSpec& sheet, double Material::*member) {
+    return sheet.preset != nullptr ? std::optional(sheet.preset->material.*member) : std::nullopt;
+}
+
+void read_preset(TomlTable& table, const KeyInfo& key, SheetSpec& sheet) {
+    if (!table.has(key.name)) return;
+    std::vector<std::string_view> names;
+    for (const MaterialPreset& known : material_presets()) names.push_back(known.name);
+    // A preset that is not known is one mistake, not four.
+    static constexpr MaterialPreset unknown{"", {}, FracturePreset{}};
+    sheet.preset = &unknown;
+    const std::string name = table.choice(key.name, names);
+    for (const MaterialPreset& known : material_presets())
+        if (known.name == name) sheet.preset = &known;
+}
+
+void read_density(TomlTable& table, const KeyInfo& key, SheetSpec& sheet) {
+    sheet.material.density =
+        table.number(key.name, key.rules.unit, key.rules.range, from_preset(sheet, &Material::density));
+}
+
+void complete_thickness(TomlTable& table, ThicknessMap& map) {
+    map.where = complete_map_source(table);
+    if (!map.range && std::holds_alternative<MapTexture>(map.source) && !table.has("scale"))
+        table.report("", "needs range, the thickness (m) of black and of white");
+}
+
+constexpr auto thickness_keys =
+    joined(embedded<map_source_keys, &ThicknessMap::source>(),
+           std::array{key<&ThicknessMap::range>(
+                          "range", "`[a, b]`: `a` where the value is 0 and `b` where it is 1, linear between",
+                          {.unit = "m", .range = positive, .otherwise = "by `scale`"}),
+                      key<&ThicknessMap::scale>("scale", "thickness of a value of 1",
+                                                {.unit = "m", .range = positive, .excludes = {"range"}})});
+constexpr Section<ThicknessMap> thickness_section{"Thickness from place to place", thickness_keys,
+                                                  complete_thickness};
+
+void read_thickness(TomlTable& table, const KeyInfo& key, SheetSpec& sheet) {
+    if (table.is_table(key.name))
+        keys::read_table(table, key, thickness_section, sheet.thickness);
+    else
+        sheet.material.thickness =
+            table.number(key.name, key.rules.unit, key.rules.range, from_preset(sheet, &Material::thickness));
+}
+
+std::vector<SectionText> inside_thickness() {
+    return {text_of(thickness_section)};
+}
+
+void read_young(TomlTable& table, const KeyInfo& key, SheetSpec& sheet) {
+    Material& material = sheet.material;
+    if (table.is_array(key.name)) {
+        const Eigen::Vector2d young = table.pair(key.name, key.rules.unit, key.rules.range);
         material.young = young[0];
         material.young1 = young[1];
-    } else if (preset && !table.has("young")) {
-        material.young = preset->young;
-        material.young1 = preset->young1;
-        material.shear = preset->shear;
+    } else if (sheet.preset != nullptr && !table.has(key.name)) {
+        material.young = sheet.preset->material.young;
+        material.young1 = sheet.preset->material.young1;
+        material.shear = sheet.preset->material.shear;
     } else {
-        material.young = table.number("young", "Pa", positive);
+        material.young = table.number(key.name, key.rules.unit, key.rules.range);
     }
-    if (table.has("shear")) material.shear = table.number("shear", "Pa", positive);
-    const bool has_poisson = table.has("poisson");
-    if (table.has("young01")) {
-        if (has_poisson) table.report("young01", "conflicts with poisson: give one of them");
-        material.poisson =
-            table.number("young01", "Pa", any_number) / material.young1.value_or(material.young);
-    } else {
-        material.poisson = table.number("poisson", "", is_isotropic(material) ? poisson_range : any_number,
-                                        preset ? preset->poisson : 0.3);
-    }
+}
+
+void read_poisson(TomlTable& table, const KeyInfo& key, SheetSpec& sheet) {
+    if (table.has("young01")) return;
+    sheet.material.poisson =
+        table.number(key.name, "", is_isotropic(sheet.material) ? poisson_range : any_number,
+                     from_preset(sheet, &Material::poisson).value_or(usual_poisson));
+}
+
+void read_young01(TomlTable& table, const KeyInfo& key, SheetSpec& sheet) {
+    if (!table.has(key.name)) return;
+    Material& material = sheet.material;
+    material.poisson =
+        table.number(key.name, key.rules.unit, any_number) / material.young1.value_or(material.young);
+}
+
+void read_yield(TomlTable& table, const KeyInfo& key, SheetSpec& sheet) {
+    if (table.has(key.name))
+        sheet.material.yield = table.number(key.name, key.rules.unit, key.rules.range);
+    else
+        sheet.material.yield = from_preset(sheet, &Material::yield).value_or(0);
 }
 
 void check_constants(TomlTable& table, const Material& material) {
@@ -53,99 +114,47 @@ void check_constants(TomlTable& table, const Material& material) {
                              by_young01 ? std::sqrt(m.young0 * m.young1) : std::sqrt(m.young0 / m.young1)));
 }
 
+void complete_material(TomlTable& table, SheetSpec& sheet) {
+    if (sheet.material.tempered > 0 && !is_isotropic(sheet.material))
+        table.report("tempered", "needs a material that is alike in all directions");
+    const bool has_unknown_preset = sheet.preset != nullptr && sheet.preset->name.empty();
+    if (!has_unknown_preset) check_constants(table, sheet.material);
+}
+
+constexpr std::array<std::string_view, 2> calibrations{"third", "paper"};
+constexpr std::string_view by_preset = "that of the preset; without one it is required";
+
+constexpr std::array material_keys{
+    table_key<axis_section, &SheetSpec::axis>("axis", "where the first material axis points",
+                                              {.otherwise = "`{ degrees = 0 }`"}),
+    special_key("preset", Form::text, "a material by name; keys that are given win over it",
+                {.what = "the name of a preset", .otherwise = "none"}, read_preset),
+    special_key("density", Form::number, "mass of a volume",
+                {.unit = "kg/m^3", .range = positive, .otherwise = by_preset}, read_density),
+    special_key("thickness", Form::number | Form::table, "a number, or a map: thick here and thin there",
+                {.unit = "m", .range = positive, .otherwise = by_preset}, read_thickness, inside_thickness),
+    special_key("young", Form::number | Form::pair,
+                "Young's modulus; `[Y0, Y1]`: along and across the material's axis",
+                {.unit = "Pa", .range = positive, .otherwise = by_preset}, read_young),
+    key<&SheetSpec::material, &Material::shear>(
+        "shear", "shear modulus G01",
+        {.unit = "Pa", .range = positive, .otherwise = "√(Y0 Y1) / (2 (1 + √(ν01 ν10)))"}),
+    special_key("poisson", Form::number, "Poisson's ratio: isotropic, between -1 and 0.5; otherwise ν01",
+                {.otherwise = "that of the preset, or 0.3"}, read_poisson),
+    special_key("young01", Form::number, "Y01 = ν01 Y1, instead of `poisson`",
+                {.unit = "Pa", .excludes = {"poisson"}}, read_young01),
+    key<&SheetSpec::material, &Material::calibration>(
+        "calibration", "of the paper's hinges: a third of the plate's rigidity, or `\"paper\"`: all of it",
+        {.choices = calibrations}),
+    key<&SheetSpec::material, &Material::tempered>(
+        "tempered", "compression at the surfaces, which tension within balances, as in tempered glass",
+        {.unit = "Pa", .range = not_negative}),
+    special_key("yield", Form::number, "von Mises stress beyond which bends are kept",
+                {.unit = "Pa", .range = positive, .otherwise = "that of the preset"}, read_yield)};
+
 }  // namespace
 
-MaterialAxis read_axis(TomlTable& material, const std::filesystem::path& directory) {
-    MaterialAxis axis;
-    axis.where = material.where("axis");
-    std::optional<TomlTable> table = material.table("axis");
-    if (!table) return axis;
-    const bool direction = table->has("direction"), degrees = table->has("degrees"),
-               texture = table->has("texture"), field = table->has("field");
-    if ((direction || degrees) + texture + field != 1) {
-        table->report("", "needs direction, degrees or both, or texture, or field");
-        table->finish();
-        return axis;
-    }
-    if (direction || degrees) {
-        AxisDirection given;
-        if (direction) given.direction = table->vector("direction", "").stableNormalized();
-        if (given.direction.isZero(0))
-            table->report("direction", "must not be zero: give one such as [1, 0, 0]");
-        if (degrees) given.degrees = table->number("degrees", "degrees", any_number);
-        axis.kind = given;
-        if (direction) axis.where = table->where("direction");
-    } else if (field) {
-        if (!table->flag("field", true)) table->report("field", "must be true, or left out");
-        axis.kind = AxisField{};
-        axis.where = table->where("field");
-    } else {
-        AxisTexture image{directory / table->string("texture", "the name of a PNG file")};
-        if (table->has("encoding")) {
-            constexpr std::array<std::string_view, 2> names{"hue", "vector"};
-            image.encoding =
-                table->choice("encoding", names) == "vector" ? AxisEncoding::vector : AxisEncoding::hue;
-        }
-        axis.kind = image;
-        axis.where = table->where("texture");
-    }
-    table->finish();
-    return axis;
-}
-
-std::optional<ThicknessMap> read_thickness_map(TomlTable& material, const std::filesystem::path& directory) {
-    if (!material.is_table("thickness")) return std::nullopt;
-    TomlTable table = *material.table("thickness");
-    ThicknessMap map;
-    map.source = read_map_source(table, directory, map.where);
-    map.scale = table.number("scale", "m", positive, map.scale);
-    if (table.has("range")) {
-        map.range = table.pair("range", "m", positive, false);
-        if (table.has("scale")) table.report("scale", "conflicts with range: give one of them");
-    } else if (std::holds_alternative<MapTexture>(map.source) && !table.has("scale")) {
-        table.report("", "needs range, the thickness (m) of black and of white");
-    }
-    table.finish();
-    return map;
-}
-
-const MaterialPreset* read_preset(TomlTable& material) {
-    if (!material.has("preset")) return nullptr;
-    std::vector<std::string_view> names;
-    for (const MaterialPreset& known : material_presets()) names.push_back(known.name);
-    const std::string name = material.choice("preset", names);
-    for (const MaterialPreset& known : material_presets())
-        if (known.name == name) return &known;
-    // A preset that is not known is one mistake, not four.
-    static constexpr MaterialPreset unknown{"", {}, FracturePreset{}};
-    return &unknown;
-}
-
-Material read_material(TomlTable& table, const MaterialPreset* chosen, bool has_map) {
-    const Material* preset = chosen ? &chosen->material : nullptr;
-    const auto from_preset = [&](double Material::*member) {
-        return preset ? std::optional<double>(preset->*member) : std::nullopt;
-    };
-    Material material;
-    material.density = table.number("density", "kg/m^3", positive, from_preset(&Material::density));
-    if (!has_map)
-        material.thickness = table.number("thickness", "m", positive, from_preset(&Material::thickness));
-    read_constants(table, preset, material);
-    if (table.has("calibration")) {
-        constexpr std::array<std::string_view, 2> names{"third", "paper"};
-        if (table.choice("calibration", names) == "paper") material.calibration = Calibration::paper;
-    }
-    material.tempered = table.number("tempered", "Pa", not_negative, 0.0);
-    if (material.tempered > 0 && !is_isotropic(material))
-        table.report("tempered", "needs a material that is alike in all directions");
-    if (table.has("yield"))
-        material.yield = table.number("yield", "Pa", positive);
-    else if (preset)
-        material.yield = preset->yield;
-    const bool has_unknown_preset = chosen && chosen->name.empty();
-    if (!has_unknown_preset) check_constants(table, material);
-    table.finish();
-    return material;
-}
+constinit const Section<SheetSpec> material_section{"What a sheet is made of", material_keys,
+                                                    complete_material};
 
 }  // namespace sherd

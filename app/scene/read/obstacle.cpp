@@ -2,9 +2,9 @@
 #include "app/scene/read/obstacle.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -14,47 +14,157 @@
 namespace sherd {
 namespace {
 
-constexpr double concrete_young = 3e10;  // Pa, C20/25 of EN 1992-1-1: what most floors are made of
-constexpr std::array<std::string_view, 6> kinds{"plane", "sphere", "box", "cylinder", "mesh", "vdb"};
+constexpr KeyRules length_rules{.unit = "m", .range = positive, .required = true};
 
-Vector3d read_centre(TomlTable& table) {
-    return table.vector("centre", "m", Vector3d::Zero());
+constexpr std::array plane_keys{
+    key<&PlaneShape::point>("point", "a point of it", {.unit = "m"}),
+    direction_key<&PlaneShape::normal>("normal", "sheets stay on the side that it points to")};
+constexpr Section<PlaneShape> plane_section{"A plane", plane_keys};
+
+constexpr std::array sphere_keys{key<&SphereShape::radius>("radius", "its radius", length_rules),
+                                 key<&SphereShape::centre>("centre", "its centre", {.unit = "m"})};
+constexpr Section<SphereShape> sphere_section{"A sphere", sphere_keys};
+
+void read_box_size(TomlTable& table, const KeyInfo& key, BoxShape& box) {
+    const Vector3d size = table.vector(key.name, key.rules.unit);
+    if ((size.array() <= 0).any()) table.report(key.name, "must be three positive lengths");
+    box.half = 0.5 * size;
 }
 
-PlaneShape read_plane(TomlTable& table) {
-    const Vector3d point = table.vector("point", "m", Vector3d::Zero());
-    return {point, read_direction(table, "normal", Vector3d::UnitZ())};
+constexpr std::array box_keys{special_key("size", Form::vector, "lengths of its sides along the axes",
+                                          {.unit = "m", .required = true}, read_box_size),
+                              key<&BoxShape::centre>("centre", "its centre", {.unit = "m"})};
+constexpr Section<BoxShape> box_section{"A box", box_keys};
+
+constexpr std::array cylinder_keys{
+    key<&CylinderShape::radius>("radius", "its radius", length_rules),
+    key<&CylinderShape::length>("length", "between its flat ends", length_rules),
+    key<&CylinderShape::centre>("centre", "its centre", {.unit = "m"}),
+    direction_key<&CylinderShape::axis>("axis", "direction of its axis")};
+constexpr Section<CylinderShape> cylinder_section{"A cylinder", cylinder_keys};
+
+constexpr std::array voxel_key{key<&ObstacleMesh::voxel>(
+    "voxel", "resolution of the grid of distances that it becomes",
+    {.unit = "m", .range = positive, .otherwise = "a hundredth of the mesh's diagonal, 0.02 mm at least"})};
+constexpr auto mesh_keys = joined(embedded<mesh_file_keys, &ObstacleMesh::file>(), voxel_key);
+constexpr Section<ObstacleMesh> mesh_section{"A mesh from a file", mesh_keys};
+
+constexpr std::array level_set_keys{
+    key<&ObstacleLevelSet::path>("file", "an OpenVDB file",
+                                 {.what = "the name of an OpenVDB file", .required = true}),
+    key<&ObstacleLevelSet::name>(
+        "grid", "name of the grid",
+        {.what = "the name of a level set in the file", .otherwise = "the only float grid"}),
+    key<&ObstacleLevelSet::scale>("scale", "metres per unit of the file",
+                                  {.unit = "m per unit of the file", .range = positive})};
+constexpr Section<ObstacleLevelSet> level_set_section{"A level set", level_set_keys};
+
+/// Takes the shape of an obstacle from the first of the keys that give one.
+template <const auto& section>
+void read_solid(TomlTable& table, const KeyInfo& key, ObstacleSpec& obstacle) {
+    if (!table.has(key.name) || !obstacle.where.empty()) return;
+    using Shape = typename std::remove_cvref_t<decltype(section)>::Struct;
+    obstacle.where = table.where(key.name);
+    Shape& shape = obstacle.shape.emplace<Shape>();
+    if constexpr (std::is_same_v<Shape, ObstacleMesh>)
+        if (table.is_string(key.name)) return void(shape.file.path = table.file(key.name, key.rules.what));
+    if constexpr (std::is_same_v<Shape, ObstacleLevelSet>)
+        if (table.is_string(key.name)) return void(shape.path = table.file(key.name, key.rules.what));
+    keys::read_table(table, key, section, shape);
 }
 
-SphereShape read_sphere(TomlTable& table) {
-    return {read_centre(table), table.number("radius", "m", positive)};
+template <const auto& section>
+constexpr auto solid_key(std::string_view name, Form forms, std::string_view sentence,
+                         const KeyRules& rules) {
+    return special_key(name, forms, sentence, rules, read_solid<section>,
+                       [] { return std::vector{text_of(section)}; });
 }
 
-BoxShape read_box(TomlTable& table) {
-    const Vector3d size = table.vector("size", "m");
-    if ((size.array() <= 0).any()) table.report("size", "must be three positive lengths");
-    return {read_centre(table), 0.5 * size};
+constexpr std::array solid_keys{
+    solid_key<plane_section>("plane", Form::table, "a half-space", {}),
+    solid_key<sphere_section>("sphere", Form::table, "a ball", {.excludes = {"plane"}}),
+    solid_key<box_section>("box", Form::table, "sides along the axes", {.excludes = {"plane", "sphere"}}),
+    solid_key<cylinder_section>("cylinder", Form::table, "with flat ends",
+                                {.excludes = {"plane", "sphere", "box"}}),
+    solid_key<mesh_section>(
+        "mesh", Form::file | Form::table, "a closed mesh; with a `cache` any",
+        {.what = "the name of a file", .excludes = {"plane", "sphere", "box", "cylinder"}}),
+    solid_key<level_set_section>(
+        "vdb", Form::file | Form::table, "a level set of an OpenVDB file",
+        {.what = "the name of a file", .excludes = {"plane", "sphere", "box", "cylinder", "mesh"}})};
+
+constexpr std::array<std::string_view, 2> interpolations_of_caches{"cardinal", "linear"};
+constexpr std::array cache_keys{
+    key<&ObstacleCache::path>("file", "a point cache",
+                              {.what = "the name of a .pc2 or .mdd file", .required = true}),
+    key<&ObstacleCache::start>("start", "when its first sample is, whatever time the file begins with",
+                               {.unit = "s"}),
+    key<&ObstacleCache::frame_rate>(
+        "fps", "frames in a second of a `.pc2`, samples in a second of an `.mdd`",
+        {.unit = "1/s", .range = positive, .otherwise = "of `.pc2` 24, of `.mdd` as its times say"}),
+    key<&ObstacleCache::smooth>("interpolation",
+                                "between samples: without jumps of the velocity, or at constant speed",
+                                {.choices = interpolations_of_caches})};
+constexpr Section<ObstacleCache> cache_section{"A point cache", cache_keys};
+
+/// Reads `cache`, and what does not go with it.
+void read_cache(TomlTable& table, const KeyInfo& key, ObstacleSpec& obstacle) {
+    if (!table.has(key.name)) return;
+    auto* mesh = std::get_if<ObstacleMesh>(&obstacle.shape);
+    if (mesh == nullptr) return table.report(key.name, "is for a mesh, whose vertices it moves");
+    for (const char* other : {"density", "mass"})
+        if (table.has(other))
+            table.report(key.name, fmt::format("conflicts with {}: a free body is rigid", other));
+    if (mesh->voxel > 0 || mesh->file.join || !mesh->file.repair)
+        table.report(key.name,
+                     "takes the mesh as it is in the file, whose vertices are those of the cache: "
+                     "leave out voxel, join and repair");
+    ObstacleCache& cache = mesh->cache.emplace();
+    cache.where = table.where(key.name);
+    if (table.is_string(key.name))
+        cache.path = table.file(key.name, key.rules.what);
+    else
+        keys::read_table(table, key, cache_section, cache);
 }
 
-CylinderShape read_cylinder(TomlTable& table) {
-    const double radius = table.number("radius", "m", positive),
-                 length = table.number("length", "m", positive);
-    return {read_centre(table), read_direction(table, "axis", Vector3d::UnitZ()), radius, length};
+std::vector<SectionText> inside_cache() {
+    return {text_of(cache_section)};
 }
 
-ObstacleMesh read_obstacle_mesh(TomlTable& table, const std::filesystem::path& directory) {
-    ObstacleMesh mesh;
-    mesh.file = read_mesh_file(table, directory);
-    if (table.has("voxel")) mesh.voxel = table.number("voxel", "m", positive);
-    return mesh;
+/// The motion of a body that is free, which density or mass make of an obstacle.
+FreeMotion& free_motion(ObstacleSpec& obstacle) {
+    return obstacle.free ? *obstacle.free : obstacle.free.emplace();
 }
 
-ObstacleLevelSet read_level_set(TomlTable& table, const std::filesystem::path& directory) {
-    ObstacleLevelSet level_set;
-    level_set.path = directory / table.string("file", "the name of an OpenVDB file");
-    if (table.has("grid")) level_set.name = table.string("grid", "the name of a level set in the file");
-    level_set.scale = table.number("scale", "m per unit of the file", positive, 1);
-    return level_set;
+template <double FreeMotion::*member>
+void read_inertia(TomlTable& table, const KeyInfo& key, ObstacleSpec& obstacle) {
+    if (table.has(key.name))
+        free_motion(obstacle).*member = table.number(key.name, key.rules.unit, key.rules.range);
+}
+
+template <Vector3d FreeMotion::*member>
+void read_start(TomlTable& table, const KeyInfo& key, ObstacleSpec& obstacle) {
+    if (obstacle.free)
+        obstacle.free.value().*member = table.vector(key.name, key.rules.unit, Vector3d::Zero());
+    else if (table.has(key.name))
+        table.report(key.name, "needs density or mass: only a free body has it");
+}
+
+double volume(const ObstacleSpec& obstacle) {
+    if (const auto* sphere = std::get_if<SphereShape>(&obstacle.shape))
+        return 4.0 / 3 * std::numbers::pi * std::pow(sphere->radius, 3);
+    const auto* box = std::get_if<BoxShape>(&obstacle.shape);
+    return box ? 8 * box->half.prod() : 0;
+}
+
+void complete_free_motion(TomlTable& table, ObstacleSpec& obstacle) {
+    if (!obstacle.free) return;
+    const bool has_mass = table.has("mass"), is_mesh = std::holds_alternative<ObstacleMesh>(obstacle.shape);
+    const char* key = has_mass ? "mass" : "density";
+    if (!is_mesh && volume(obstacle) == 0)
+        table.report(key, "makes a free body of a sphere, a box or a mesh only");
+    if (!obstacle.motion.keys.empty()) table.report(key, "conflicts with keys: a free body moves by itself");
+    if (has_mass && !is_mesh) obstacle.free->density = obstacle.free->mass / volume(obstacle);
 }
 
 /// What it turns about, before it is placed: a solid about its centre, files about their origin.
@@ -65,123 +175,44 @@ Vector3d pivot(const Kind& kind) {
     return Vector3d::Zero();
 }
 
-/// `mesh = "anvil.obj"` and `vdb = "anvil.vdb"`; false when it is a table.
-bool read_file_name(TomlTable& table, std::string_view kind, const std::filesystem::path& directory,
-                    ObstacleSpec& obstacle) {
-    if (!table.is_string(kind) || (kind != "mesh" && kind != "vdb")) return false;
-    const std::filesystem::path path = directory / table.string(kind, "the name of a file");
-    if (kind == "mesh") obstacle.shape = ObstacleMesh{.file = {.path = path, .remesh = {}}};
-    if (kind == "vdb") obstacle.shape = ObstacleLevelSet{.path = path, .name = ""};
-    return true;
-}
-
-void read_shape(TomlTable& table, std::string_view kind, const std::filesystem::path& directory,
-                ObstacleSpec& obstacle) {
-    if (read_file_name(table, kind, directory, obstacle)) return;
-    auto geometry = table.table(kind);
-    if (!geometry) return;  // reported as no table
-    if (kind == "plane") obstacle.shape = read_plane(*geometry);
-    if (kind == "sphere") obstacle.shape = read_sphere(*geometry);
-    if (kind == "box") obstacle.shape = read_box(*geometry);
-    if (kind == "cylinder") obstacle.shape = read_cylinder(*geometry);
-    if (kind == "mesh") obstacle.shape = read_obstacle_mesh(*geometry, directory);
-    if (kind == "vdb") obstacle.shape = read_level_set(*geometry, directory);
-    geometry->finish();
-}
-
-/// `cache = "hand.pc2"` or `cache = { file = "hand.pc2", start = 0, fps = 24, interpolation = "cardinal" }`.
-ObstacleCache read_cache(TomlTable& table, const std::filesystem::path& directory) {
-    ObstacleCache cache{.path = {}, .where = table.where("cache")};
-    constexpr const char* what = "the name of a .pc2 or .mdd file";
-    if (table.is_string("cache")) {
-        cache.path = directory / table.string("cache", what);
-        return cache;
+void complete_obstacle(TomlTable& table, ObstacleSpec& obstacle) {
+    if (obstacle.where.empty()) {
+        std::vector<std::string_view> kinds;
+        for (const auto& solid : solid_keys) kinds.push_back(solid.info.name);
+        table.report("", fmt::format("needs one of {}: plane = {{ point = [0, 0, 0], normal = [0, 0, 1] }}",
+                                     fmt::join(kinds, ", ")));
     }
-    auto keys = table.table("cache");
-    if (!keys) return cache;  // reported as no table
-    cache.path = directory / keys->string("file", what);
-    cache.start = keys->number("start", "s", any_number, 0);
-    if (keys->has("fps")) cache.frame_rate = keys->number("fps", "1/s", positive);
-    if (keys->has("interpolation")) {
-        constexpr std::array<std::string_view, 2> kinds{"cardinal", "linear"};
-        cache.smooth = keys->choice("interpolation", kinds) != "linear";
-    }
-    keys->finish();
-    return cache;
+    obstacle.motion.pivot =
+        obstacle.motion.place * std::visit([](const auto& shape) { return pivot(shape); }, obstacle.shape);
+    check_motion(table, obstacle.motion);
+    complete_free_motion(table, obstacle);
 }
 
-/// Reads `cache`, and what does not go with it.
-void read_deformation(TomlTable& table, const std::filesystem::path& directory, ObstacleSpec& obstacle) {
-    if (!table.has("cache")) return;
-    auto* mesh = std::get_if<ObstacleMesh>(&obstacle.shape);
-    if (mesh == nullptr) return table.report("cache", "is for a mesh, whose vertices it moves");
-    for (const char* key : {"density", "mass"})
-        if (table.has(key))
-            table.report("cache", fmt::format("conflicts with {}: a free body is rigid", key));
-    if (mesh->voxel > 0 || mesh->file.join || !mesh->file.repair)
-        table.report("cache",
-                     "takes the mesh as it is in the file, whose vertices are those of the cache: "
-                     "leave out voxel, join and repair");
-    mesh->cache = read_cache(table, directory);
-}
-
-double volume(const ObstacleSpec& obstacle) {
-    if (const auto* sphere = std::get_if<SphereShape>(&obstacle.shape))
-        return 4.0 / 3 * std::numbers::pi * std::pow(sphere->radius, 3);
-    const auto* box = std::get_if<BoxShape>(&obstacle.shape);
-    return box ? 8 * box->half.prod() : 0;
-}
-
-/// Reads `density` or `mass`, which make an obstacle a free body, and what only such a body has.
-void read_free_motion(TomlTable& table, ObstacleSpec& obstacle) {
-    const bool has_mass = table.has("mass"), has_density = table.has("density");
-    if (!has_mass && !has_density) {
-        for (const char* key : {"velocity", "spin"})
-            if (table.has(key)) table.report(key, "needs density or mass: only a free body has it");
-        return;
-    }
-    const char* key = has_mass ? "mass" : "density";
-    if (has_mass && has_density) table.report("density", "conflicts with mass: give one of them");
-    const bool is_mesh = std::holds_alternative<ObstacleMesh>(obstacle.shape);
-    if (!is_mesh && volume(obstacle) == 0)
-        table.report(key, "makes a free body of a sphere, a box or a mesh only");
-    if (!obstacle.motion.keys.empty()) table.report(key, "conflicts with keys: a free body moves by itself");
-    FreeMotion& free = obstacle.free.emplace();
-    if (has_mass) free.mass = table.number("mass", "kg", positive);
-    if (has_density) free.density = table.number("density", "kg/m^3", positive);
-    if (has_mass && !is_mesh) free.density = free.mass / volume(obstacle);
-    free.velocity = table.vector("velocity", "m/s", Vector3d::Zero());
-    free.spin = table.vector("spin", "rad/s", Vector3d::Zero());
-}
+constexpr auto obstacle_keys = joined(
+    solid_keys,
+    std::array{table_key<place_section, &ObstacleSpec::motion, &Motion::place>("place", "where it is put",
+                                                                               {.otherwise = "where it is"})},
+    embedded<motion_keys, &ObstacleSpec::motion>(),
+    std::array{
+        special_key("cache", Form::file | Form::table, "of a `mesh`: a point cache, by which it deforms",
+                    {.what = "the name of a .pc2 or .mdd file", .otherwise = "rigid"}, read_cache,
+                    inside_cache),
+        special_key("mass", Form::number, "of a `sphere`, a `box` or a `mesh`: makes it a free rigid body",
+                    {.unit = "kg", .range = positive, .otherwise = "fixed"}, read_inertia<&FreeMotion::mass>),
+        special_key("density", Form::number, "instead of `mass`",
+                    {.unit = "kg/m^3", .range = positive, .otherwise = "fixed", .excludes = {"mass"}},
+                    read_inertia<&FreeMotion::density>),
+        special_key("velocity", Form::vector, "of a free body at the start",
+                    {.unit = "m/s", .otherwise = "`[0, 0, 0]`"}, read_start<&FreeMotion::velocity>),
+        special_key("spin", Form::vector, "of a free body at the start, about its centre of mass",
+                    {.unit = "rad/s", .otherwise = "`[0, 0, 0]`"}, read_start<&FreeMotion::spin>),
+        key<&ObstacleSpec::friction>("friction", "coefficient of Coulomb friction", {.range = not_negative}),
+        key<&ObstacleSpec::young>("young", "of what the obstacle is made of; the default is concrete",
+                                  {.unit = "Pa", .range = positive})});
 
 }  // namespace
 
-ObstacleSpec read_obstacle(const std::string& name, TomlTable& table,
-                           const std::filesystem::path& directory) {
-    ObstacleSpec obstacle;
-    obstacle.name = name;
-    std::vector<std::string_view> given;
-    for (const std::string_view kind : kinds)
-        if (table.has(kind)) given.push_back(kind);
-    if (given.empty())
-        table.report("", fmt::format("needs one of {}: plane = {{ point = [0, 0, 0], normal = [0, 0, 1] }}",
-                                     fmt::join(kinds, ", ")));
-    for (std::size_t i = 1; i < given.size(); ++i)
-        table.report(given[i], fmt::format("conflicts with {}: give one of them", given[0]));
-    if (!given.empty()) {
-        read_shape(table, given[0], directory, obstacle);
-        obstacle.where = table.where(given[0]);
-    }
-    if (auto place = table.table("place")) obstacle.motion.place = read_place(*place);
-    obstacle.motion.pivot =
-        obstacle.motion.place * std::visit([](const auto& shape) { return pivot(shape); }, obstacle.shape);
-    read_motion(table, obstacle.motion);
-    read_deformation(table, directory, obstacle);
-    read_free_motion(table, obstacle);
-    obstacle.friction = table.number("friction", "", not_negative, 0);
-    obstacle.young = table.number("young", "Pa", positive, concrete_young);
-    table.finish();
-    return obstacle;
-}
+constinit const Section<ObstacleSpec> obstacle_section{"What sheets cannot pass through", obstacle_keys,
+                                                       complete_obstacle};
 
 }  // namespace sherd

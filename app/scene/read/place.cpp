@@ -5,62 +5,79 @@
 
 #include <array>
 #include <numbers>
-#include <utility>
 
 namespace sherd {
 namespace {
 
-/// Axis and angle (rad) of a table { axis = [x, y, z], degrees = a }.
-Eigen::AngleAxisd read_rotation(TomlTable& table) {
-    const Vector3d axis = read_direction(table, "axis");
-    const double degrees = table.number("degrees", "degrees", any_number);
-    table.finish();
-    return {degrees * std::numbers::pi / 180, axis};
+constexpr std::array rotation_keys{
+    direction_key<&Rotation::axis>("axis", "`[x, y, z]`, about which it turns", {.required = true}),
+    key<&Rotation::degrees>("degrees", "by how much, counterclockwise seen against the axis",
+                            {.unit = "degrees", .required = true})};
+
+std::vector<SectionText> inside_rotation() {
+    return {text_of(rotation_section)};
 }
 
-MotionKey read_key(TomlTable& table) {
-    MotionKey key;
-    key.time = table.number("time", "s", not_negative);
-    key.translation = table.vector("translate", "m", Vector3d::Zero());
-    if (auto rotation = table.table("rotate")) {
-        const Eigen::AngleAxisd turn = read_rotation(*rotation);
-        key.axis = turn.axis();
-        key.angle = turn.angle();
+void read_rotations(TomlTable& table, const KeyInfo& key, Eigen::Isometry3d& place) {
+    for (TomlTable& inner : table.tables(key.name)) {
+        Rotation rotation;
+        read_section(inner, rotation_section, rotation);
+        place.prerotate(rotation.turn().toRotationMatrix());
     }
-    table.finish();
-    return key;
 }
+
+void read_translation(TomlTable& table, const KeyInfo& key, Eigen::Isometry3d& place) {
+    place.pretranslate(table.vector(key.name, key.rules.unit, Vector3d::Zero()));
+}
+
+constexpr std::array place_keys{
+    special_key("rotate", Form::table | Form::tables,
+                "turns it about the origin of the mesh; an array is applied in order", {.otherwise = "none"},
+                read_rotations, inside_rotation),
+    special_key("translate", Form::vector, "moves it after the rotations",
+                {.unit = "m", .otherwise = "`[0, 0, 0]`"}, read_translation)};
+
+void read_turn(TomlTable& table, const KeyInfo& key, MotionKey& motion) {
+    auto inner = table.table(key.name);
+    if (!inner) return;
+    Rotation rotation;
+    read_section(*inner, rotation_section, rotation);
+    motion.axis = rotation.turn().axis();
+    motion.angle = rotation.turn().angle();
+}
+
+constexpr std::array key_keys{
+    key<&MotionKey::time>("time", "later than that of the key before",
+                          {.unit = "s", .range = not_negative, .required = true}),
+    key<&MotionKey::translation>("translate", "by how much it has moved", {.unit = "m"}),
+    special_key("rotate", Form::table, "by how much it has turned, before it is moved, about its centre",
+                {.otherwise = "none"}, read_turn, inside_rotation)};
 
 }  // namespace
 
-Vector3d read_direction(TomlTable& table, std::string_view key, std::optional<Vector3d> fallback) {
-    const Vector3d direction = table.vector(key, "", std::move(fallback));
-    if (direction.isZero(0)) table.report(key, "must not be zero: give a direction, such as [0, 0, 1]");
+constinit const Section<Rotation> rotation_section{"A rotation", rotation_keys};
+constinit const Section<Eigen::Isometry3d> place_section{"Where it is placed", place_keys};
+constinit const Section<MotionKey> motion_key_section{"Where it is at a time", key_keys};
+
+Eigen::AngleAxisd Rotation::turn() const {
+    return {degrees * std::numbers::pi / 180, axis};
+}
+
+void read_direction(TomlTable& table, const KeyInfo& key, Vector3d& direction) {
+    read_value(table, key, direction);
+    if (direction.isZero(0)) table.report(key.name, "must not be zero: give a direction, such as [0, 0, 1]");
     // stableNormalized, since the squares of tiny or huge components leave the range of double.
-    return direction.stableNormalized();
+    direction = direction.stableNormalized();
 }
 
-Eigen::Isometry3d read_place(TomlTable& table) {
-    Eigen::Isometry3d place = Eigen::Isometry3d::Identity();
-    for (TomlTable& rotation : table.tables("rotate"))
-        place.prerotate(read_rotation(rotation).toRotationMatrix());
-    place.pretranslate(table.vector("translate", "m", Vector3d::Zero()));
-    table.finish();
-    return place;
-}
-
-void read_motion(TomlTable& table, Motion& motion) {
-    for (TomlTable& key : table.tables("keys")) {
-        motion.keys.push_back(read_key(key));
-        const std::size_t count = motion.keys.size();
-        if (count > 1 && motion.keys[count - 1].time <= motion.keys[count - 2].time)
-            key.report("time", fmt::format("must be later than that of the key before it ({} s)",
-                                           motion.keys[count - 2].time));
-    }
-    if (!table.has("motion")) return;
-    constexpr std::array<std::string_view, 2> kinds{"smooth", "linear"};
-    motion.smooth = table.choice("motion", kinds) != "linear";
-    if (motion.keys.empty()) table.report("motion", "needs keys = [{ time = 0 }, { time = 1, ... }]");
+void check_motion(TomlTable& table, const Motion& motion) {
+    std::vector<TomlTable> tables = table.tables("keys");
+    for (std::size_t i = 1; i < motion.keys.size(); ++i)
+        if (motion.keys[i].time <= motion.keys[i - 1].time)
+            tables[i].report("time", fmt::format("must be later than that of the key before it ({} s)",
+                                                 motion.keys[i - 1].time));
+    if (table.has("motion") && motion.keys.empty())
+        table.report("motion", "needs keys = [{ time = 0 }, { time = 1, ... }]");
 }
 
 }  // namespace sherd

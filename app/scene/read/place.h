@@ -1,18 +1,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/scene/toml/toml_table.h"
+#include "app/scene/keys/key.h"
 #include "core/motion.h"
 
 namespace sherd {
 
-/// Reads `place = { translate = [x, y, z], rotate = { axis = [x, y, z], degrees = a } }`.
-Eigen::Isometry3d read_place(TomlTable& table);
-
 /// Reads a direction, and makes its length one. A direction that is zero is a problem.
-Vector3d read_direction(TomlTable& table, std::string_view key, std::optional<Vector3d> fallback = {});
+void read_direction(TomlTable& table, const KeyInfo& key, Vector3d& direction);
 
-/// Reads `keys` and `motion` of a table, if it has any.
-void read_motion(TomlTable& table, Motion& motion);
+/// `rotate = { axis = [x, y, z], degrees = a }`.
+struct Rotation {
+    Vector3d axis = Vector3d::UnitZ();
+    double degrees = 0;
+
+    Eigen::AngleAxisd turn() const;
+};
+extern const Section<Rotation> rotation_section;
+
+extern const Section<Eigen::Isometry3d> place_section;
+extern const Section<MotionKey> motion_key_section;
+
+/// A key of a direction, which is read into the member at the end of a path.
+template <auto... path>
+constexpr auto direction_key(std::string_view name, std::string_view sentence, const KeyRules& rules = {}) {
+    auto result = key<path...>(name, sentence, rules);
+    using Struct = typename keys::Path<path...>::Struct;
+    result.read = [](TomlTable& table, const KeyInfo& info, Struct& into) {
+        read_direction(table, info, keys::at<path...>(into));
+    };
+    return result;
+}
+
+inline constexpr std::array<std::string_view, 2> interpolations{"smooth", "linear"};
+
+/// The keys of what moves as it is told.
+inline constexpr std::array motion_keys{
+    table_key<motion_key_section, &Motion::keys>(
+        "keys", "where it is at some times, against where it was placed", {.otherwise = "it stays"}),
+    key<&Motion::smooth>("motion", "between two keys: from rest to rest, or at constant speed",
+                         {.choices = interpolations})};
+
+/// Reports keys of a motion that are not one after the other.
+void check_motion(TomlTable& table, const Motion& motion);
 
 }  // namespace sherd

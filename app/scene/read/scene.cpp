@@ -9,17 +9,20 @@
 #include <cmath>
 #include <limits>
 
+#include "app/scene/keys/key.h"
 #include "app/scene/read/fields.h"
 #include "app/scene/read/forces.h"
 #include "app/scene/read/gauges.h"
 #include "app/scene/read/obstacle.h"
+#include "app/scene/read/plain_name.h"
 #include "app/scene/read/sheet.h"
+#include "app/scene/read/sheet_name.h"
+#include "app/scene/read/solver.h"
 #include "app/scene/read/statics.h"
 #include "app/scene/read/variants.h"
 #include "app/scene/toml/override.h"
 #include "app/scene/toml/settings.h"
 #include "app/scene/toml/toml_file.h"
-#include "app/scene/toml/toml_table.h"
 #include "app/words/nearest_name.h"
 #include "meshops/error.h"
 
@@ -28,91 +31,110 @@ namespace {
 
 constexpr double most_steps = 1e9;  // decades of computing: a mistyped step, not a wish
 
-BendingOptions read_bending(TomlTable& table) {
-    constexpr std::array<std::string_view, 4> models{"coupled", "cubic", "cubic-2007", "nonlinear"};
-    constexpr std::array<std::string_view, 3> jacobians{"constant", "cubic", "nonlinear"};
-    BendingOptions bending;
-    if (table.has("bending") &&
-        !table.retired("bending", "coupled-cubic", "\"coupled\" gives the same results")) {
-        const std::string model = table.choice("bending", models);
-        if (model == "cubic") bending.model = BendingModel::cubic;
-        if (model == "cubic-2007") bending.model = BendingModel::cubic_2007;
-        if (model == "nonlinear") bending.model = BendingModel::nonlinear;
-    }
-    bending.jacobian = exact_jacobian(bending.model);
-    if (table.has("jacobian")) {
-        const std::string jacobian = table.choice("jacobian", jacobians);
-        if (jacobian == "constant") bending.jacobian = BendingJacobian::constant;
-        if (jacobian == "cubic") bending.jacobian = BendingJacobian::cubic;
-        if (bending.model == BendingModel::coupled)
-            table.report("jacobian",
-                         "is for one of the paper's models (bending = \"cubic\"): coupled hinges have one "
-                         "matrix of their own");
-        else if (jacobian == "nonlinear" && bending.model != BendingModel::nonlinear)
-            table.report("jacobian",
-                         "\"nonlinear\" needs bending = \"nonlinear\": a cubic hinge takes \"constant\" "
-                         "or \"cubic\"");
-    }
-    return bending;
+constexpr std::array<std::string_view, 2> starts{"exempt", "error"};
+constexpr std::array contact_keys{
+    key<&Scene::simulation, &SimulationOptions::stepper, &StepperOptions::contact, &ContactOptions::sheets>(
+        "sheets", "sheets and fragments keep half the sum of their thicknesses apart"),
+    key<&Scene::simulation, &SimulationOptions::stepper, &StepperOptions::contact, &ContactOptions::friction>(
+        "friction", "coefficient of Coulomb friction between them", {.range = not_negative}),
+    key<&Scene::exempts_overlaps>(
+        "start", "what overlaps at the start does not collide until it is apart, or is an error",
+        {.choices = starts})};
+constexpr Section<Scene> contact_section{
+    "Contact of sheets and fragments with each other and with themselves", contact_keys};
+
+/// Reads the duration, which statics have of their load, and sets what follows from it.
+void read_duration(TomlTable& root, const KeyInfo& key, Scene& scene) {
+    if (!scene.is_static())
+        scene.duration = root.number(key.name, key.rules.unit, key.rules.range);
+    else if (root.has(key.name))
+        root.report(key.name, "is not for statics, which end at solver.load");
+    if (scene.is_static())
+        scene.duration =
+            scene.simulation.stepper.arc_length ? scene.longest_path : scene.simulation.stepper.last_load;
+    scene.frame_interval =
+        std::max(scene.is_static() ? 0 : scene.duration / 100, scene.simulation.stepper.step);
 }
 
-Method read_method(TomlTable& table) {
-    if (table.retired("method", "newton-2026", "\"newton\" gives the same results in less time"))
-        return Method::newton;
-    constexpr std::array<std::string_view, 2> names{"quasi-newton", "newton"};
-    constexpr std::array methods{Method::quasi_newton, Method::newton};
-    return methods[table.choice_number("method", names)];
+void read_every(TomlTable& output, const KeyInfo& key, Scene& scene) {
+    if (output.has(key.name))
+        scene.frame_interval = output.number(key.name, key.rules.unit, key.rules.range, scene.frame_interval);
 }
 
-ContactSpec read_contact(TomlTable& table) {
-    ContactSpec contact;
-    contact.sheets = table.flag("sheets", contact.sheets);
-    if (table.has("start")) {
-        constexpr std::array<std::string_view, 2> starts{"exempt", "error"};
-        contact.exempt = table.choice("start", starts) == "exempt";
+void read_output_fields(TomlTable& output, const KeyInfo& key, Scene& scene) {
+    if (!output.has(key.name)) return;
+    if (output.is_array(key.name) || output.is_string(key.name)) {
+        scene.simulation.fields = chosen_fields(output.choices(key.name, key.rules.choices));
+    } else {
+        const bool all = output.flag(key.name, false);
+        scene.simulation.fields = {.stress = all, .curvature = all, .membrane_strain = all};
     }
-    contact.friction = table.number("friction", "", not_negative, contact.friction);
-    table.finish();
-    return contact;
 }
 
-SolverSpec read_solver(TomlTable& table) {
-    SolverSpec solver;
-    constexpr int most = std::numeric_limits<int>::max();
-    read_scheme(table, solver);
-    if (table.has("method")) solver.method = read_method(table);
-    solver.bending = read_bending(table);
-    if (table.has("membrane")) {
-        constexpr std::array<std::string_view, 2> models{"constant-strain", "arc"};
-        if (table.choice("membrane", models) == "arc") solver.membrane = MembraneModel::arc;
+constexpr std::array output_keys{
+    special_key("every", Form::number,
+                "time between recorded frames, at the ends of steps; not below a `solver.step` that is given",
+                {.unit = "s", .range = positive, .otherwise = "`duration / 100`, at least a step"},
+                read_every),
+    special_key("fields", Form::names | Form::flag, "what is recorded of each face; `true`: all of them",
+                {.choices = field_names, .otherwise = "none"}, read_output_fields),
+    key<&Scene::checkpoint_interval>("checkpoint", "wall time between checkpoints; 0: at start and end only",
+                                     {.unit = "s", .range = not_negative})};
+constexpr Section<Scene> output_section{"What is recorded", output_keys};
+
+void read_sheets(TomlTable& root, const KeyInfo& key, Scene& scene) {
+    if (auto sheets = root.table(key.name)) {
+        for (auto& [name, table] : sheets->entries()) {
+            SheetSpec& sheet = scene.sheets.emplace_back();
+            sheet.name = name;
+            read_section(table, sheet_section, sheet);
+        }
+    } else if (root.has(key.name)) {
+        return;  // reported as no table
     }
-    solver.max_iterations = static_cast<int>(table.integer("max_iterations", 1, most, solver.max_iterations));
-    solver.tolerance = table.number("tolerance", "mean edge lengths", positive, solver.tolerance);
-    if (table.has("rule")) {
-        constexpr std::array<std::string_view, 2> rules{"staged", "paper"};
-        if (table.choice("rule", rules) == "paper") solver.rule = BreakingRule::paper;
-    }
-    solver.max_stages = static_cast<int>(table.integer("max_stages", 1, most, solver.max_stages));
-    if (auto damping = table.table("damping")) {
-        solver.damping.stiffness = damping->number("stiffness", "s", not_negative, 0);
-        solver.damping.mass = damping->number("mass", "1/s", not_negative, 0);
-        damping->finish();
-    }
-    table.finish();
-    return solver;
+    if (scene.sheets.empty())
+        root.report(key.name, "the scene has no sheet: add [sheet.NAME] with mesh and material");
 }
 
-void read_duration(TomlTable& root, Scene& scene) {
-    if (!scene.is_static()) {
-        scene.duration = root.number("duration", "s", positive);
-        return;
+void read_obstacles(TomlTable& root, const KeyInfo& key, Scene& scene) {
+    auto obstacles = root.table(key.name);
+    if (!obstacles) return;
+    for (auto& [name, table] : obstacles->entries()) {
+        ObstacleSpec obstacle;
+        obstacle.name = name;
+        read_section(table, obstacle_section, obstacle);
+        (obstacle.free ? scene.bodies : scene.obstacles).push_back(std::move(obstacle));
     }
-    if (root.has("duration")) root.report("duration", "is not for statics, which end at solver.load");
-    scene.duration = scene.solver.arc_length ? scene.solver.longest_path : scene.solver.load;
 }
+
+void refuse_variant(TomlTable& root, const KeyInfo& key, Scene& /*scene*/) {
+    if (root.has(key.name))
+        root.report(key.name,
+                    "has its place in the scene itself only: a variant has none, and --set cannot make one");
+}
+
+constexpr Range seeds{
+    .least = 0, .most = std::numeric_limits<std::uint32_t>::max(), .with_least = true, .with_most = true};
+
+/// In the order in which they are read: what a key means may depend on those before.
+constexpr std::array scene_keys{
+    part_key<solver_section>("solver", "how steps are made"),
+    special_key("duration", Form::number, "simulated time; not in statics, which end at `solver.load`",
+                {.unit = "s", .range = positive, .otherwise = "required, except in statics"}, read_duration),
+    part_key<output_section>("output", "what is recorded"),
+    key<&Scene::seed>("seed", "of generated meshes, gusts and the scatter of strength", {.range = seeds}),
+    special_key("sheet", Form::named, "what bends and breaks", {.required = true}, read_sheets,
+                [] { return std::vector{text_of(sheet_section)}; }),
+    special_key("obstacle", Form::named, "what sheets cannot pass through", {.otherwise = "none"},
+                read_obstacles, [] { return std::vector{text_of(obstacle_section)}; }),
+    part_key<contact_section>("contact", "of sheets and fragments with each other"),
+    part_key<force_section>("force", "gravity, loads and the air"),
+    table_key<gauge_section, &Scene::gauges>("gauge", "what is measured, where", {.otherwise = "none"}),
+    special_key("variant", Form::table | Form::tables, "other versions of the scene", {.otherwise = "none"},
+                refuse_variant)};
 
 void require_few_steps(const Scene& scene, TomlTable& table, const char* key, const char* advice) {
-    const double steps = scene.duration / scene.solver.step;
+    const double steps = scene.duration / scene.simulation.stepper.step;
     if (steps > most_steps)
         table.report(key,
                      fmt::format("would take {:.2g} steps, more than {:.0g}: {}", steps, most_steps, advice));
@@ -120,39 +142,30 @@ void require_few_steps(const Scene& scene, TomlTable& table, const char* key, co
 
 /// Frames are recorded at the ends of steps: a step that the scene does not give is no longer than the time
 /// between two frames.
-void read_frame_interval(TomlTable& output, bool step_is_given, Scene& scene) {
-    scene.frame_interval = output.number("every", "s", positive, scene.frame_interval);
-    if (scene.frame_interval >= scene.solver.step) return;
+void complete_frame_interval(TomlTable& output, bool step_is_given, Scene& scene) {
+    if (scene.frame_interval >= scene.simulation.stepper.step) return;
     if (step_is_given || scene.is_static())
         return output.report(
             "every", fmt::format("is shorter than solver.step ({} s), at whose ends frames are recorded",
-                                 scene.solver.step));
-    scene.solver.step = scene.frame_interval;
+                                 scene.simulation.stepper.step));
+    scene.simulation.stepper.step = scene.frame_interval;
     require_few_steps(scene, output, "every", "give a longer one");
 }
 
-void read_times(TomlTable& root, Scene& scene) {
-    auto solver = root.table("solver");
-    if (solver) scene.solver = read_solver(*solver);
-    read_duration(root, scene);
-    if (solver && scene.solver.step > scene.duration)
+void complete_times(TomlTable& root, Scene& scene) {
+    auto solver = root.table("solver"), output = root.table("output");
+    const bool step_is_given = solver && solver->has("step");
+    if (solver && scene.simulation.stepper.step > scene.duration)
         solver->report("step", fmt::format("is longer than {} ({} {})",
-                                           !scene.is_static()        ? "duration"
-                                           : scene.solver.arc_length ? "longest_path"
-                                                                     : "load",
+                                           !scene.is_static()                    ? "duration"
+                                           : scene.simulation.stepper.arc_length ? "longest_path"
+                                                                                 : "load",
                                            scene.duration, scene.time_unit()));
-    if (solver && solver->has("step"))
+    if (step_is_given)
         require_few_steps(scene, *solver, "step", "give a longer one");
     else if (root.has("duration"))
         require_few_steps(scene, root, "duration", "give a shorter one, or a longer solver.step");
-    scene.frame_interval = std::max(scene.is_static() ? 0 : scene.duration / 100, scene.solver.step);
-    if (auto output = root.table("output")) {
-        if (output->has("every")) read_frame_interval(*output, solver && solver->has("step"), scene);
-        scene.fields = read_fields(*output);
-        scene.checkpoint_interval =
-            output->number("checkpoint", "s", not_negative, scene.checkpoint_interval);
-        output->finish();
-    }
+    if (output && output->has("every")) complete_frame_interval(*output, step_is_given, scene);
 }
 
 /// The paper's rule breaks what is over its strength, and nothing else counts.
@@ -163,45 +176,38 @@ void require_paper(TomlTable& root, const FractureSpec& fracture) {
         root.report("solver", "rule = \"paper\" knows no fracture.smallest: leave one of them out");
 }
 
-void read_sheets(TomlTable& root, Scene& scene) {
-    if (auto sheets = root.table("sheet")) {
-        for (auto& [name, table] : sheets->entries())
-            scene.sheets.push_back(read_sheet(name, table, scene.file.parent_path()));
-    } else if (root.has("sheet")) {
-        return;  // reported as no table
-    }
-    for (const SheetSpec& sheet : scene.sheets)
-        if (sheet.fracture && scene.solver.rule == BreakingRule::paper) require_paper(root, *sheet.fracture);
-    // Plates have one rigidity; only how hinges stand for it is a choice.
-    for (const SheetSpec& sheet : scene.sheets)
-        if (scene.solver.bending.model == BendingModel::coupled &&
+void complete_sheets(TomlTable& root, const Scene& scene) {
+    for (const SheetSpec& sheet : scene.sheets) {
+        if (sheet.fracture && scene.simulation.rule == BreakingRule::paper)
+            require_paper(root, *sheet.fracture);
+        // Plates have one rigidity; only how hinges stand for it is a choice.
+        if (scene.simulation.stepper.shell.bending.model == BendingModel::coupled &&
             sheet.material.calibration == Calibration::paper)
             root.report("sheet",
                         fmt::format("{}: its material's calibration = \"paper\" is for the paper's "
                                     "bending models: add solver.bending = \"cubic\", or leave it out",
                                     sheet.name));
-    if (scene.sheets.empty())
-        root.report("sheet", "the scene has no sheet: add [sheet.NAME] with mesh and material");
+    }
 }
 
-void read_root(TomlTable& root, Scene& scene) {
-    read_times(root, scene);
-    scene.seed = root.integer("seed", 0, std::numeric_limits<std::uint32_t>::max(), scene.seed);
-    read_sheets(root, scene);
-    if (auto obstacles = root.table("obstacle"))
-        for (auto& [name, table] : obstacles->entries()) {
-            const ObstacleSpec obstacle = read_obstacle(name, table, scene.file.parent_path());
-            (obstacle.free ? scene.bodies : scene.obstacles).push_back(obstacle);
-        }
-    if (auto contact = root.table("contact")) scene.contact = read_contact(*contact);
-    if (auto force = root.table("force")) read_forces(*force, scene);
-    read_gauges(root, scene);
-    if (scene.is_static()) require_statics(root, scene);
-    if (root.has("variant"))
-        root.report("variant",
-                    "has its place in the scene itself only: a variant has none, and --set cannot make one");
-    root.finish();
+void complete_gauges(TomlTable& root, const Scene& scene) {
+    std::vector<TomlTable> tables = root.tables("gauge");
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < tables.size(); ++i) {
+        check_sheet_name(tables[i], scene);
+        if (scene.gauges[i].name.empty()) continue;  // reported
+        names.push_back(read_plain_name(tables[i], "gauge", "names a group of the recording", names));
+    }
 }
+
+void complete_scene(TomlTable& root, Scene& scene) {
+    complete_times(root, scene);
+    complete_sheets(root, scene);
+    complete_gauges(root, scene);
+    if (scene.is_static()) require_statics(root, scene);
+}
+
+constexpr Section<Scene> scene_section{"The scene", scene_keys, complete_scene};
 
 void choose_variant(toml::table& document, const Scene& scene, Problems& problems) {
     TomlTable root(document, "", problems);
@@ -217,6 +223,10 @@ void choose_variant(toml::table& document, const Scene& scene, Problems& problem
 }
 
 }  // namespace
+
+SectionText scene_reference() {
+    return text_of(scene_section);
+}
 
 std::string read_scene_text(const std::filesystem::path& file) {
     return read_toml_text(file, "scene");
@@ -247,8 +257,8 @@ Scene parse_scene(std::string text, const std::filesystem::path& file, const Sce
     choose_variant(document, scene, problems);
     for (const std::string& assignment : choice.overrides) apply_override(document, assignment);
     scene.settings = settings_of(document);
-    TomlTable root(document, "", problems);
-    read_root(root, scene);
+    TomlTable root(document, "", problems, file.parent_path());
+    read_section(root, scene_section, scene);
     problems.throw_if_any();
     return scene;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/scene/keys/key_info.h"
 #include "app/scene/scene.h"
 
 namespace sherd {
@@ -26,5 +27,8 @@ Scene read_scene(const std::filesystem::path& file, const SceneChoice& choice = 
 /// files in it; `meshes` are those that its sheets may name as given.
 Scene parse_scene(std::string text, const std::filesystem::path& file, const SceneChoice& choice = {},
                   GivenMeshes meshes = {});
+
+/// The keys of scenes, from the root on.
+SectionText scene_reference();
 
 }  // namespace sherd

@@ -3,43 +3,32 @@
 
 #include <fmt/format.h>
 
-#include <utility>
-
 namespace sherd {
-namespace {
 
-void read_box(TomlTable& table, Selection& selection) {
-    const std::vector<Eigen::VectorXd> corners = table.rows("box", "m", 2, 3);
+void read_box(TomlTable& table, const KeyInfo& key, Selection& selection) {
+    if (!table.has(key.name)) return;
+    const std::vector<Eigen::VectorXd> corners =
+        table.rows(key.name, key.rules.unit, key.rules.least_rows, key.rules.columns);
     if (corners.size() == 2)
         selection.box.emplace(corners[0], corners[1]);
     else if (!corners.empty())
-        table.report("box", "must be [lower corner, upper corner], two arrays of 3 numbers");
+        table.report(key.name, "must be [lower corner, upper corner], two arrays of 3 numbers");
     if (selection.box && (selection.box->first.array() > selection.box->second.array()).any())
-        table.report("box", "has a lower corner above its upper one: order them in x, y and z");
+        table.report(key.name, "has a lower corner above its upper one: order them in x, y and z");
 }
 
-}  // namespace
+bool selects(TomlTable& table) {
+    return table.has("box") || table.has("boundary") || table.has("group");
+}
 
-Selection read_selection(TomlTable& table) {
-    Selection selection;
-    selection.where = table.where(table.has("group") ? "group" : "");
-    selection.boundary = table.flag("boundary", false);
-    if (table.has("box")) read_box(table, selection);
-    if (table.has("group")) {
-        selection.group = table.string("group", "the name of a group of the mesh file");
-    }
-    std::string given;
-    for (const auto& [key, is_given] :
-         {std::pair("box", table.has("box")), std::pair("group", table.has("group")),
-          std::pair("boundary", selection.boundary)}) {
-        if (!is_given) continue;
-        if (!given.empty())
-            table.report(key, fmt::format("conflicts with {}: write a table for each", given));
-        given = key;
-    }
-    if (given.empty())
+void complete_selection(TomlTable& table, Selection& selection) {
+    const bool has_box = table.has("box"), has_group = table.has("group");
+    selection.where = table.where(has_group ? "group" : "");
+    if (selection.boundary && (has_box || has_group))
+        table.report("boundary",
+                     fmt::format("conflicts with {}: write a table for each", has_box ? "box" : "group"));
+    if (!selection.boundary && !has_box && !has_group)
         table.report("", "holds nothing: give box = [[...], [...]], boundary = true or group = \"NAME\"");
-    return selection;
 }
 
 }  // namespace sherd

@@ -1,12 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/scene/keys/key.h"
 #include "app/scene/scene.h"
-#include "app/scene/toml/toml_table.h"
 
 namespace sherd {
 
-/// Reads `box`, `boundary` or `group`. The caller finishes the table.
-Selection read_selection(TomlTable& table);
+void read_box(TomlTable& table, const KeyInfo& key, Selection& selection);
+
+inline constexpr std::array selection_keys{
+    special_key("box", Form::rows,
+                "`[[x, y, z], [x, y, z]]`, lower and upper corner: the vertices in it, as placed",
+                {.unit = "m", .otherwise = "none", .least_rows = 2, .columns = 3}, read_box),
+    key<&Selection::boundary>("boundary", "`true`: all vertices of the boundary"),
+    key<&Selection::group>(
+        "group", "the vertices of the faces in this group of the mesh file",
+        {.what = "the name of a group of the mesh file", .otherwise = "none", .excludes = {"box"}})};
+
+/// Whether a table selects anything.
+bool selects(TomlTable& table);
+/// Does what the keys of a selection cannot do alone. It must select something.
+void complete_selection(TomlTable& table, Selection& selection);
 
 }  // namespace sherd

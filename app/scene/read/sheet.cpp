@@ -10,64 +10,18 @@
 namespace sherd {
 namespace {
 
-constexpr Range feature_degrees{[](double x) { return x > 0 && x <= 180; },
-                                "a number above 0, and 180 at most"};
-
-/// Reads `remesh = 0.006` or `remesh = { edge_length = 0.006, ... }` of a mesh from a file.
-RemeshOptions read_remesh(TomlTable& mesh) {
-    RemeshOptions options;
-    if (!mesh.is_table("remesh")) {
-        options.edge_length = mesh.number("remesh", "m, target edge length", positive);
-        return options;
-    }
-    TomlTable table = *mesh.table("remesh");
-    options.edge_length = table.number("edge_length", "m", positive);
-    options.features = table.number("features", "degrees", feature_degrees, options.features);
-    options.adaptive = table.flag("adaptive", options.adaptive);
-    table.finish();
-    return options;
-}
-
-GivenMeshName read_given_mesh(TomlTable& table) {
-    GivenMeshName mesh{table.string("given", "the name that a program gives the mesh by")};
-    if (table.has("remesh")) mesh.remesh = read_remesh(table);
-    table.finish();
-    return mesh;
-}
-
-decltype(SheetSpec::mesh) read_mesh_spec(TomlTable& sheet, const std::filesystem::path& directory) {
-    if (sheet.is_string("mesh")) {
-        MeshFile mesh;
-        mesh.path = directory / sheet.string("mesh", "the name of a mesh file");
-        return mesh;
-    }
-    std::optional<TomlTable> table = sheet.table("mesh");
-    if (!table) {
-        if (!sheet.has("mesh"))
-            sheet.report("mesh", "is missing: give a file name, or { generate = \"disc\", ... }");
-        return GeneratedMesh{};
-    }
-    if (table->has("given")) return read_given_mesh(*table);
-    const bool generated = table->has("generate"), from_file = table->has("file");
-    if (generated && from_file) table->report("file", "conflicts with generate: give one of them");
-    if (!generated && !from_file) table->report("", "needs one of generate and file");
-    if (generated == from_file) return GeneratedMesh{};
-    if (generated) return read_shape(*table);
-    MeshFile mesh = read_mesh_file(*table, directory);
-    if (table->has("remesh")) mesh.remesh = read_remesh(*table);
-    table->finish();
-    return mesh;
-}
-
-BendSpec read_bend(TomlTable& table) {
-    BendSpec bend;
+void complete_bend(TomlTable& table, BendSpec& bend) {
     bend.where = table.where("");
-    bend.curvature = table.number("curvature", "1/m", any_number);
-    bend.along = read_direction(table, "along", Vector3d::UnitX());
-    bend.from = table.vector("from", "m", Vector3d::Zero());
-    table.finish();
-    return bend;
 }
+
+constexpr std::array bend_keys{
+    key<&BendSpec::curvature>("curvature",
+                              "of the arcs that lines along `along` become, positive towards the normals",
+                              {.unit = "1/m", .required = true}),
+    direction_key<&BendSpec::along>("along", "direction of the mesh in which it is bent"),
+    key<&BendSpec::from>("from", "a point of the line across `along` that stays where it is placed",
+                         {.unit = "m"})};
+constexpr Section<BendSpec> bend_section{"A sheet that starts rolled up", bend_keys, complete_bend};
 
 /// What moves by keys is placed by its shape at rest.
 void require_still_supports(TomlTable& table, const SheetSpec& sheet) {
@@ -77,36 +31,36 @@ void require_still_supports(TomlTable& table, const SheetSpec& sheet) {
                 table.report("bend", "conflicts with keys of a pin or clamp: let the sheet start flat");
 }
 
-}  // namespace
-
-SheetSpec read_sheet(const std::string& name, TomlTable& table, const std::filesystem::path& directory) {
-    SheetSpec sheet;
-    sheet.name = name;
-    sheet.mesh = read_mesh_spec(table, directory);
-    sheet.where = table.where("mesh");
-    if (auto place = table.table("place")) sheet.place = read_place(*place);
-    if (auto bend = table.table("bend")) sheet.bend = read_bend(*bend);
-    sheet.velocity = table.vector("velocity", "m/s", Vector3d::Zero());
-    sheet.spin = table.vector("spin", "rad/s", Vector3d::Zero());
-    const MaterialPreset* preset = nullptr;
-    if (auto material = table.table("material")) {
-        sheet.axis = read_axis(*material, directory);
-        preset = read_preset(*material);
-        sheet.thickness = read_thickness_map(*material, directory);
-        sheet.material = read_material(*material, preset, sheet.thickness.has_value());
-    } else if (!table.has("material")) {
+void complete_sheet(TomlTable& table, SheetSpec& sheet) {
+    if (!table.has("material"))
         table.report("material",
                      "is missing: give { preset = \"stoneware\" }, or density, thickness and young");
-    }
-    if (auto fracture = table.table("fracture")) sheet.fracture = read_fracture(*fracture, directory, preset);
     if (sheet.material.tempered > 0 && sheet.fracture && !sheet.fracture->has_toughness())
         table.report("fracture",
                      "needs toughness, or fracture_energy, or preset: the sheet is tempered, and "
                      "its residual stress drives cracks");
-    read_supports(table, sheet);
     require_still_supports(table, sheet);
-    table.finish();
-    return sheet;
 }
+
+constexpr std::array sheet_keys{
+    special_key("mesh", Form::file | Form::table, "a file name, or a table",
+                {.what = "the name of a mesh file", .required = true}, read_mesh, inside_mesh),
+    table_key<place_section, &SheetSpec::place>("place", "where it is put", {.otherwise = "where it is"}),
+    table_key<bend_section, &SheetSpec::bend>("bend", "it starts rolled up", {.otherwise = "none"}),
+    key<&SheetSpec::velocity>("velocity", "at the start", {.unit = "m/s"}),
+    key<&SheetSpec::spin>("spin", "at the start, about the centre of mass", {.unit = "rad/s"}),
+    part_key<material_section>("material", "what it is made of", {.required = true}),
+    special_key("fracture", Form::table, "what it withstands", {.otherwise = "unbreakable"}, read_fracture,
+                inside_fracture),
+    table_key<pin_section, &SheetSpec::pins>(
+        "pin", "vertices that stay where they are placed, or move by `keys`", {.otherwise = "none"}),
+    table_key<clamp_section, &SheetSpec::clamps>("clamp", "as `pin`; it holds the sheet's tangent, too",
+                                                 {.otherwise = "none"}),
+    table_key<symmetry_section, &SheetSpec::symmetries>(
+        "symmetry", "planes that the sheet goes on behind like its mirror image", {.otherwise = "none"})};
+
+}  // namespace
+
+constinit const Section<SheetSpec> sheet_section{"What bends and breaks", sheet_keys, complete_sheet};
 
 }  // namespace sherd

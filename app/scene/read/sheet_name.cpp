@@ -7,14 +7,13 @@
 
 namespace sherd {
 
-std::string read_sheet_name(TomlTable& table, const Scene& scene) {
-    if (!table.has("sheet")) return {};
-    std::string name = table.string("sheet", "the name of a sheet");
-    const bool known = std::any_of(scene.sheets.begin(), scene.sheets.end(),
-                                   [&](const SheetSpec& sheet) { return sheet.name == name; });
+void check_sheet_name(TomlTable& table, const Scene& scene) {
+    if (!table.is_string("sheet")) return;
+    const std::string name = table.string("sheet", "");
+    const bool known =
+        std::ranges::any_of(scene.sheets, [&](const SheetSpec& sheet) { return sheet.name == name; });
     if (!name.empty() && !known)
         table.report("sheet", fmt::format("names no sheet of this scene: there is no [sheet.{}]", name));
-    return name;
 }
 
 }  // namespace sherd

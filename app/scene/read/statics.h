@@ -6,9 +6,6 @@
 
 namespace sherd {
 
-/// Reads the keys of [solver] that choose between time and load, and the length of a step.
-void read_scheme(TomlTable& table, SolverSpec& solver);
-
 /// Reports what a static scene cannot have: what moves or acts with time, and sheets that nothing holds.
 void require_statics(TomlTable& root, const Scene& scene);
 

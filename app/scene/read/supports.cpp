@@ -2,7 +2,6 @@
 #include "app/scene/read/supports.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "app/scene/read/place.h"
 #include "app/scene/read/selection.h"
@@ -11,52 +10,63 @@ namespace sherd {
 namespace {
 
 constexpr double at_rest = 1e-12;  // of the first key's rotation and way, m
+constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
 
-std::array<bool, 3> read_free(TomlTable& table, bool clamps, bool moves) {
-    constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
-    std::array<bool, 3> free{};
-    if (!table.has("free")) return free;
-    const std::vector<std::string> names = table.choices("free", axes);
+void read_free(TomlTable& table, const KeyInfo& key, PinSpec& pin) {
+    if (!table.has(key.name)) return;
+    const std::vector<std::string> names = table.choices(key.name, key.rules.choices);
     for (std::size_t i = 0; i < axes.size(); ++i)
-        free[i] = std::find(names.begin(), names.end(), axes[i]) != names.end();
-    if (clamps)
-        table.report("free", "is of pins only: a clamp holds its vertices in all directions");
-    else if (moves)
-        table.report("free", "conflicts with keys: a pin that moves holds its vertices in all directions");
-    else if (names.size() == axes.size())
-        table.report("free", "leaves nothing held: leave a direction out, or the pin");
-    return free;
+        pin.free[i] = std::ranges::find(names, axes[i]) != names.end();
 }
 
-PinSpec read_pin(TomlTable& table, bool clamps) {
-    PinSpec pin;
-    pin.on = read_selection(table);
-    read_motion(table, pin.motion);
-    pin.free = read_free(table, clamps, !pin.motion.keys.empty());
-    if (table.has("centre")) pin.centre = table.vector("centre", "m");
+void complete_support(TomlTable& table, PinSpec& pin) {
+    complete_selection(table, pin.on);
+    check_motion(table, pin.motion);
     if (pin.centre && pin.motion.keys.empty())
         table.report("centre", "needs keys = [{ time = 0 }, { time = 1, ... }]");
     if (!pin.motion.at(0).matrix().isIdentity(at_rest))
         table.report("keys", "must begin where the sheet is placed: without translate and rotate at first");
-    table.finish();
-    return pin;
 }
 
-SymmetrySpec read_symmetry(TomlTable& table) {
-    SymmetrySpec plane;
-    plane.where = table.where("");
-    plane.point = table.vector("point", "m", Vector3d::Zero());
-    plane.normal = read_direction(table, "normal");
-    table.finish();
-    return plane;
+void complete_pin(TomlTable& table, PinSpec& pin) {
+    complete_support(table, pin);
+    if (!pin.holds_all_directions() && !pin.motion.keys.empty())
+        table.report("free", "conflicts with keys: a pin that moves holds its vertices in all directions");
+    else if (pin.free == std::array{true, true, true})
+        table.report("free", "leaves nothing held: leave a direction out, or the pin");
 }
+
+void refuse_free(TomlTable& table, const KeyInfo& key, PinSpec& /*clamp*/) {
+    if (table.has(key.name))
+        table.report(key.name, "is of pins only: a clamp holds its vertices in all directions");
+}
+
+constexpr std::array centre_key{key<&PinSpec::centre>(
+    "centre", "`[x, y, z]`, what `rotate` of its `keys` turns about",
+    {.unit = "m", .otherwise = "the middle of the box around the vertices that it holds"})};
+constexpr auto support_keys =
+    joined(embedded<selection_keys, &PinSpec::on>(), embedded<motion_keys, &PinSpec::motion>(), centre_key);
+constexpr auto pin_keys =
+    joined(support_keys,
+           std::array{special_key("free", Form::names, "directions of space in which its vertices stay free",
+                                  {.choices = axes, .otherwise = "none"}, read_free)});
+constexpr auto clamp_keys =
+    joined(support_keys, std::array{special_key("free", Form::names, "", {}, refuse_free)});
+
+void complete_symmetry(TomlTable& table, SymmetrySpec& plane) {
+    plane.where = table.where("");
+}
+
+constexpr std::array symmetry_keys{key<&SymmetrySpec::point>("point", "a point of the plane", {.unit = "m"}),
+                                   direction_key<&SymmetrySpec::normal>(
+                                       "normal", "`[x, y, z]`, at a right angle to it", {.required = true})};
 
 }  // namespace
 
-void read_supports(TomlTable& table, SheetSpec& sheet) {
-    for (const auto& [key, pins] : {std::pair("pin", &sheet.pins), std::pair("clamp", &sheet.clamps)})
-        for (TomlTable& entry : table.tables(key)) pins->push_back(read_pin(entry, pins == &sheet.clamps));
-    for (TomlTable& plane : table.tables("symmetry")) sheet.symmetries.push_back(read_symmetry(plane));
-}
+constinit const Section<PinSpec> pin_section{"Vertices that are held", pin_keys, complete_pin};
+constinit const Section<PinSpec> clamp_section{"Vertices that are held, with the sheet's tangent", clamp_keys,
+                                               complete_support};
+constinit const Section<SymmetrySpec> symmetry_section{
+    "A plane that the sheet goes on behind like its mirror image", symmetry_keys, complete_symmetry};
 
 }  // namespace sherd

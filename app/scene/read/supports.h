@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/scene/keys/key.h"
 #include "app/scene/scene.h"
-#include "app/scene/toml/toml_table.h"
 
 namespace sherd {
 
-/// Reads the keys pin, clamp and symmetry of a sheet.
-void read_supports(TomlTable& table, SheetSpec& sheet);
+extern const Section<PinSpec> pin_section, clamp_section;
+extern const Section<SymmetrySpec> symmetry_section;
 
 }  // namespace sherd

@@ -73,8 +73,9 @@ std::string left_out(double fallback) {
 
 }  // namespace
 
-TomlTable::TomlTable(const toml::table& table, std::string path, Problems& problems)
-    : content(&table), path(std::move(path)), problems(&problems) {}
+TomlTable::TomlTable(const toml::table& table, std::string path, Problems& problems,
+                     std::filesystem::path directory)
+    : content(&table), path(std::move(path)), problems(&problems), directory(std::move(directory)) {}
 
 bool TomlTable::has(std::string_view key) {
     return find(key) != nullptr;
@@ -86,7 +87,7 @@ double TomlTable::number(std::string_view key, std::string_view unit, const Rang
     if (!node && fallback) return *fallback;
     const std::optional<double> value = node ? finite_number(*node) : std::nullopt;
     if (value && range.contains(*value)) return *value;
-    reject(key, with_unit(range.words, unit), fallback ? left_out(*fallback) : "");
+    reject(key, with_unit(range.words(), unit), fallback ? left_out(*fallback) : "");
     return not_a_number;
 }
 
@@ -114,6 +115,11 @@ std::string TomlTable::string(std::string_view key, std::string_view what) {
     if (node && node->is_string() && !node->as_string()->get().empty()) return node->as_string()->get();
     reject(key, fmt::format("{} in quotes", what));
     return {};
+}
+
+std::filesystem::path TomlTable::file(std::string_view key, std::string_view what) {
+    const std::string name = string(key, what);
+    return name.empty() ? std::filesystem::path() : directory / name;
 }
 
 std::string TomlTable::choice(std::string_view key, std::span<const std::string_view> names) {
@@ -159,8 +165,8 @@ Eigen::Vector2d TomlTable::pair(std::string_view key, std::string_view unit, con
     const std::optional<Eigen::VectorXd> value = node ? numbers(*node) : std::nullopt;
     if (value && value->size() == 2 && range.contains((*value)[0]) && range.contains((*value)[1]))
         return *value;
-    const std::string words = or_one ? fmt::format("{}, or an array of 2 of them", range.words)
-                                     : fmt::format("an array of 2, each {}", range.words);
+    const std::string words = or_one ? fmt::format("{}, or an array of 2 of them", range.words())
+                                     : fmt::format("an array of 2, each {}", range.words());
     reject(key, with_unit(words, unit));
     return Eigen::Vector2d::Constant(not_a_number);
 }
@@ -226,7 +232,8 @@ std::vector<std::vector<Eigen::VectorXd>> TomlTable::lists_of_rows(std::string_v
 std::optional<TomlTable> TomlTable::table(std::string_view key) {
     const toml::node* node = find(key);
     if (!node) return std::nullopt;
-    if (const toml::table* inner = node->as_table()) return TomlTable(*inner, dotted(key), *problems);
+    if (const toml::table* inner = node->as_table())
+        return TomlTable(*inner, dotted(key), *problems, directory);
     reject(key, "a table");
     return std::nullopt;
 }
@@ -234,12 +241,13 @@ std::optional<TomlTable> TomlTable::table(std::string_view key) {
 std::vector<TomlTable> TomlTable::tables(std::string_view key) {
     const toml::node* node = find(key);
     if (!node) return {};
-    if (const toml::table* only = node->as_table()) return {TomlTable(*only, dotted(key), *problems)};
+    if (const toml::table* only = node->as_table())
+        return {TomlTable(*only, dotted(key), *problems, directory)};
     std::vector<TomlTable> result;
     const toml::array* array = node->as_array();
     for (std::size_t i = 0; array && i < array->size(); ++i)
         if (const toml::table* item = array->get(i)->as_table())
-            result.emplace_back(*item, fmt::format("{}[{}]", dotted(key), i), *problems);
+            result.emplace_back(*item, fmt::format("{}[{}]", dotted(key), i), *problems, directory);
     if (!array || result.size() != array->size()) reject(key, "a table or an array of tables");
     return result;
 }

@@ -4,6 +4,7 @@
 #include <toml++/toml.h>
 
 #include <Eigen/Core>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,24 +13,18 @@
 #include <vector>
 
 #include "app/scene/toml/problems.h"
+#include "app/scene/toml/range.h"
 
 namespace sherd {
-
-/// The values that a number may take, and the words for them.
-struct Range {
-    bool (*contains)(double);
-    std::string_view words;
-};
-inline constexpr Range any_number{[](double) { return true; }, "a finite number"};
-inline constexpr Range positive{[](double x) { return x > 0; }, "a positive number"};
-inline constexpr Range not_negative{[](double x) { return x >= 0; }, "a number of 0 or more"};
 
 /// Reads the keys of one TOML table. A missing key without a fallback, a wrong type, length or range is added
 /// to the problems, and the caller gets a value that no later comparison holds for (NaN) or that is empty.
 /// A problem tells the fallback. Every key asked for becomes a known one; `finish` reports the others.
 class TomlTable {
   public:
-    TomlTable(const toml::table& table, std::string path, Problems& problems);
+    /// directory: where the names of files are understood from.
+    TomlTable(const toml::table& table, std::string path, Problems& problems,
+              std::filesystem::path directory = {});
 
     bool has(std::string_view key);
     /// `unit` is told to the user: "m", "kg/m^3".
@@ -40,6 +35,8 @@ class TomlTable {
     bool flag(std::string_view key, bool fallback);
     /// `what` is told to the user: "a file name".
     std::string string(std::string_view key, std::string_view what);
+    /// Reads the name of a file; it is empty after a problem.
+    std::filesystem::path file(std::string_view key, std::string_view what);
     /// Reads one of `names`; the string is empty after a problem.
     std::string choice(std::string_view key, std::span<const std::string_view> names);
     /// The place of a choice() among `names`; 0 when it is none of them, which is reported.
@@ -91,6 +88,7 @@ class TomlTable {
     const toml::table* content;
     std::string path;
     Problems* problems;
+    std::filesystem::path directory;
     std::vector<std::string> known;
 };
 

@@ -20,6 +20,7 @@ struct SphereShape : Shape {
     Vector3d centre = Vector3d::Zero();  ///< m
     double radius = 1;                   ///< m
 
+    SphereShape() = default;
     SphereShape(const Vector3d& centre, double radius) : centre(centre), radius(radius) {}
     SurfaceDistance distance(const Vector3d& at) const override;
     Eigen::AlignedBox3d bounds() const override;
@@ -30,6 +31,7 @@ struct BoxShape : Shape {
     Vector3d centre = Vector3d::Zero();  ///< m
     Vector3d half = Vector3d::Ones();    ///< m, half of the sides' lengths
 
+    BoxShape() = default;
     BoxShape(const Vector3d& centre, const Vector3d& half) : centre(centre), half(half) {}
     SurfaceDistance distance(const Vector3d& at) const override;
     Eigen::AlignedBox3d bounds() const override;
@@ -41,6 +43,7 @@ struct CylinderShape : Shape {
     Vector3d axis = Vector3d::UnitZ();   ///< unit length
     double radius = 1, length = 1;       ///< m
 
+    CylinderShape() = default;
     CylinderShape(const Vector3d& centre, const Vector3d& axis, double radius, double length)
         : centre(centre), axis(axis), radius(radius), length(length) {}
     SurfaceDistance distance(const Vector3d& at) const override;

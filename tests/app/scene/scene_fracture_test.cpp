@@ -44,7 +44,7 @@ TEST(SceneFracture, ValuesArriveWithTheirMeasure) {
     EXPECT_EQ(fracture_of(strain).strength.measure, Measure::strain);
     EXPECT_EQ(fracture_of(strain).strength.across, 0.4);
     EXPECT_EQ(fracture_of(strain).strength.crack_tip_factor, 1);
-    EXPECT_EQ(strain.solver.rule, BreakingRule::staged);
+    EXPECT_EQ(strain.simulation.rule, BreakingRule::staged);
     const Scene stress = breaking_plate("strength = [4e7, 1e7]");
     EXPECT_EQ(fracture_of(stress).strength.measure, Measure::stress);
     EXPECT_EQ(fracture_of(stress).strength.along, 4e7);
@@ -52,7 +52,7 @@ TEST(SceneFracture, ValuesArriveWithTheirMeasure) {
     EXPECT_EQ(fracture_of(stress).strength.crack_tip_factor, 0.7) << "the default";
     const Scene paper = breaking_plate("strain = 0.4\nmeasure = \"bending\"", "rule = \"paper\"");
     EXPECT_EQ(fracture_of(paper).strength.measure, Measure::bending);
-    EXPECT_EQ(paper.solver.rule, BreakingRule::paper);
+    EXPECT_EQ(paper.simulation.rule, BreakingRule::paper);
     std::vector<std::string> warnings;
     EXPECT_EQ(build_scene(paper, warnings).options.rule, BreakingRule::paper);
 }
@@ -273,18 +273,18 @@ sheets = false
 
 TEST(SceneFracture, ExplicitStepsHaveTheirOwnStepAndNoIterations) {
     const Scene scene = breaking_plate("strain = 1", "scheme = \"explicit\"");
-    EXPECT_EQ(scene.solver.scheme, Scheme::explicit_differences);
-    EXPECT_EQ(scene.solver.step, 2e-6);
+    EXPECT_EQ(scene.simulation.stepper.scheme, Scheme::explicit_differences);
+    EXPECT_EQ(scene.simulation.stepper.step, 2e-6);
     for (const char* key : {"tolerance = 1e-6", "max_iterations = 3", "max_stages = 3"})
         EXPECT_THROW(breaking_plate("strain = 1", std::string("scheme = \"explicit\"\n") + key), Error)
             << key;
 }
 
 TEST(SceneFracture, SchemesAreRead) {
-    EXPECT_EQ(breaking_plate("strain = 1", "scheme = \"bdf2\"").solver.scheme, Scheme::bdf2);
+    EXPECT_EQ(breaking_plate("strain = 1", "scheme = \"bdf2\"").simulation.stepper.scheme, Scheme::bdf2);
     const Scene by_turns = breaking_plate("strain = 1", "scheme = \"auto\"");
-    EXPECT_TRUE(by_turns.solver.alternates);
-    EXPECT_EQ(by_turns.solver.step, 1e-4) << "of implicit steps";
+    EXPECT_TRUE(by_turns.simulation.alternates);
+    EXPECT_EQ(by_turns.simulation.stepper.step, 1e-4) << "of implicit steps";
 }
 
 // Whoever has a scene of an older version would not know what to write instead.

@@ -50,9 +50,9 @@ class Motion {
         double scale = 0;
         for (Eigen::Index v = 0; v < shell().mass.size(); ++v) {
             const Vector3d acceleration = (shell().velocity.col(v) - before.col(v)) / report.step_size;
-            const Vector3d missing = scene.gravity + load_per_mass - acceleration;
+            const Vector3d missing = scene.simulation.stepper.gravity + load_per_mass - acceleration;
             all.add(shell().position.col(v), shell().mass[v] * missing);
-            scale += shell().mass[v] * scene.gravity.norm();
+            scale += shell().mass[v] * scene.simulation.stepper.gravity.norm();
         }
         return {all.force.norm() / scale, all.moment.norm() / scale};
     }

@@ -96,32 +96,32 @@ every = 0.25
     EXPECT_EQ(plane.normal, Vector3d(1, 0, 0)) << "made a unit vector";
     EXPECT_EQ(scene.obstacles[0].friction, 0.4);
     EXPECT_EQ(scene.obstacles[0].young, 2e9);
-    EXPECT_FALSE(scene.contact.sheets);
-    EXPECT_EQ(scene.contact.friction, 0.3);
-    EXPECT_EQ(scene.gravity, Vector3d(0, 1, 0));
-    EXPECT_EQ(scene.solver.step, 1e-3);
-    EXPECT_EQ(scene.solver.max_iterations, 9);
-    EXPECT_EQ(scene.solver.tolerance, 1e-5);
-    EXPECT_EQ(scene.solver.max_stages, 8);
+    EXPECT_FALSE(scene.simulation.stepper.contact.sheets);
+    EXPECT_EQ(scene.simulation.stepper.contact.friction, 0.3);
+    EXPECT_EQ(scene.simulation.stepper.gravity, Vector3d(0, 1, 0));
+    EXPECT_EQ(scene.simulation.stepper.step, 1e-3);
+    EXPECT_EQ(scene.simulation.max_iterations, 9);
+    EXPECT_EQ(scene.simulation.tolerance, 1e-5);
+    EXPECT_EQ(scene.simulation.max_stages, 8);
     EXPECT_EQ(scene.frame_interval, 0.25);
 }
 
 TEST(Scene, DefaultsAreThoseOfTheReference) {
     const Scene scene = scene_of(small_scene);
     EXPECT_EQ(scene.seed, 1);
-    EXPECT_EQ(scene.gravity, Vector3d(0, 0, -9.81));
-    EXPECT_EQ(scene.solver.step, 1e-4);
+    EXPECT_EQ(scene.simulation.stepper.gravity, Vector3d(0, 0, -9.81));
+    EXPECT_EQ(scene.simulation.stepper.step, 1e-4);
     EXPECT_DOUBLE_EQ(scene.frame_interval, 0.005);
     EXPECT_TRUE(scene.obstacles.empty());
-    EXPECT_TRUE(scene.contact.sheets);
-    EXPECT_EQ(scene.contact.friction, 0);
+    EXPECT_TRUE(scene.simulation.stepper.contact.sheets);
+    EXPECT_EQ(scene.simulation.stepper.contact.friction, 0);
     EXPECT_EQ(scene.sheets[0].velocity, Vector3d(0, 0, 0));
     EXPECT_TRUE(scene.sheets[0].place.isApprox(Eigen::Isometry3d::Identity()));
 }
 
 TEST(Scene, EveryPairOfForceAndJacobianCanBeChosen) {
     const auto chosen = [](const std::vector<std::string>& keys) {
-        const BendingOptions bending = scene_of(small_scene, {keys, ""}).solver.bending;
+        const BendingOptions bending = scene_of(small_scene, {keys, ""}).simulation.stepper.shell.bending;
         return std::pair(bending.model, bending.jacobian);
     };
     const std::string cubic = "solver.bending=cubic", cubic_2007 = "solver.bending=cubic-2007",
@@ -146,7 +146,7 @@ TEST(Scene, MembraneIsChosenAndKeptFromWrongNames) {
         const Scene scene = scene_of(small_scene, {keys, ""});
         std::vector<std::string> warnings;
         const MembraneModel built = build_scene(scene, warnings).options.stepper.shell.membrane;
-        EXPECT_EQ(scene.solver.membrane, built);
+        EXPECT_EQ(scene.simulation.stepper.shell.membrane, built);
         return built;
     };
     EXPECT_EQ(chosen({}), MembraneModel::constant_strain);
@@ -196,7 +196,7 @@ TEST(Scene, AStepThatIsNotGivenIsNoLongerThanTheTimeBetweenFrames) {
     const Scene scene = scene_of(
         "duration = 1e-3\noutput.every = 2e-5\nsheet.a.mesh = \"a.obj\"\n"
         "sheet.a.material.preset = \"glass\"\n");
-    EXPECT_EQ(scene.solver.step, 2e-5);
+    EXPECT_EQ(scene.simulation.stepper.step, 2e-5);
     EXPECT_EQ(scene.frame_interval, 2e-5);
 }
 
@@ -219,7 +219,7 @@ TEST(Scene, OverridesReplaceValuesAndStandInTheText) {
     EXPECT_EQ(scene.duration, 3);
     EXPECT_EQ(scene.sheets[0].material.density, 7850);
     EXPECT_EQ(std::get<MeshFile>(scene.sheets[0].mesh).path.filename(), "x.obj");
-    EXPECT_EQ(scene.solver.step, 1e-3);
+    EXPECT_EQ(scene.simulation.stepper.step, 1e-3);
     ASSERT_EQ(scene.sheets.size(), 2u);
     EXPECT_EQ(scene.sheets[1].name, "other") << "sheets of overrides come last";
     EXPECT_TRUE(scene.text.starts_with(small_scene));

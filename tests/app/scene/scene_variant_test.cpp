@@ -45,14 +45,14 @@ std::string variant_message(const std::string& text, const SceneChoice& choice =
 TEST(SceneVariant, ChangesItsKeysAndNothingElse) {
     const Scene plain = scene_of(tube + variants);
     EXPECT_EQ(plain.loads.size(), 2u);
-    EXPECT_EQ(plain.solver.step, 1e-4);
+    EXPECT_EQ(plain.simulation.stepper.step, 1e-4);
     EXPECT_TRUE(plain.obstacles.empty());
     EXPECT_EQ(plain.variant, "");
 
     const Scene vertical = scene_of(tube + variants, {{}, "vertical"});
     EXPECT_EQ(vertical.variant, "vertical");
     EXPECT_EQ(std::get<AxisDirection>(vertical.sheets[0].axis.kind).degrees, 90);
-    EXPECT_EQ(vertical.solver.step, 2e-4);
+    EXPECT_EQ(vertical.simulation.stepper.step, 2e-4);
     EXPECT_EQ(vertical.sheets[0].material.density, plain.sheets[0].material.density) << "preset was lost";
     EXPECT_EQ(vertical.loads.size(), 2u);
 
@@ -68,7 +68,7 @@ TEST(SceneVariant, ChangesItsKeysAndNothingElse) {
 TEST(SceneVariant, OverridesWinAndTheTextSaysWhatWasRun) {
     const std::vector<std::string> overrides{"solver.step=1e-3", "seed=9"};
     const Scene scene = scene_of(tube + variants, {overrides, "vertical"});
-    EXPECT_EQ(scene.solver.step, 1e-3);
+    EXPECT_EQ(scene.simulation.stepper.step, 1e-3);
     EXPECT_EQ(scene.text,
               tube + variants + "# --variant vertical\n# --set solver.step=1e-3\n# --set seed=9\n");
     const SceneChoice choice = recorded_choice(scene.text);

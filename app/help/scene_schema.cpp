@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/help/scene_schema.h"
+
+#include "app/help/key_reference.h"
+#include "app/scene/read/scene.h"
+
+namespace sherd {
+namespace {
+
+Json section_schema(const SectionText& section);
+
+/// Sizes beyond these are none to compute with (TomlTable).
+Json number_schema(const Range& range, const char* type) {
+    Json schema{{"type", type}};
+    if (range.has_least()) schema[range.with_least ? "minimum" : "exclusiveMinimum"] = range.least;
+    if (range.has_most()) schema[range.with_most ? "maximum" : "exclusiveMaximum"] = range.most;
+    return schema;
+}
+
+Json array_schema(const Json& items, std::size_t least, std::size_t most) {
+    Json schema{{"type", "array"}, {"items", items}, {"minItems", least}};
+    if (most > 0) schema["maxItems"] = most;
+    return schema;
+}
+
+Json choice_schema(std::span<const std::string_view> names) {
+    Json values = Json::array();
+    for (const std::string_view name : names) values.push_back(name);
+    return {{"enum", values}};
+}
+
+/// One of the schemas; the only one as it is.
+Json any_of(std::vector<Json> schemas) {
+    if (schemas.size() == 1) return schemas[0];
+    return {{"anyOf", schemas}};
+}
+
+Json inside_schema(const KeyText& key) {
+    if (key.inside.empty()) return {{"type", "object"}};
+    std::vector<Json> kinds;
+    for (const SectionText& kind : key.inside) kinds.push_back(section_schema(kind));
+    return any_of(std::move(kinds));
+}
+
+Json value_schema(const KeyText& key) {
+    const KeyRules& rules = key.info.rules;
+    const Json number{{"type", "number"}}, row = array_schema(number, rules.columns, rules.columns),
+                                           rows = array_schema(row, rules.least_rows, 0),
+                                           ranged = number_schema(rules.range, "number");
+    std::vector<Json> forms;
+    const auto add = [&](Form form, const auto& schema) {
+        if (has_form(key.info.forms, form)) forms.push_back(schema());
+    };
+    add(Form::number, [&] { return ranged; });
+    add(Form::integer, [&] { return number_schema(rules.range, "integer"); });
+    add(Form::flag, [] { return Json{{"type", "boolean"}}; });
+    add(Form::text, [] { return Json{{"type", "string"}, {"minLength", 1}}; });
+    add(Form::file, [] { return Json{{"type", "string"}, {"minLength", 1}}; });
+    add(Form::choice, [&] { return choice_schema(rules.choices); });
+    add(Form::names, [&] { return array_schema(choice_schema(rules.choices), 1, rules.choices.size()); });
+    add(Form::vector, [&] { return array_schema(number, 3, 3); });
+    add(Form::pair, [&] { return array_schema(ranged, 2, 2); });
+    add(Form::rows, [&] { return rows; });
+    add(Form::lists_of_rows, [&] { return array_schema(rows, 0, 0); });
+    add(Form::table, [&] { return inside_schema(key); });
+    add(Form::tables, [&] { return array_schema(inside_schema(key), 0, 0); });
+    add(Form::named, [&] {
+        return Json{{"type", "object"}, {"additionalProperties", inside_schema(key)}, {"minProperties", 1}};
+    });
+    return any_of(std::move(forms));
+}
+
+Json key_schema(const KeyText& key) {
+    Json schema = value_schema(key);
+    const std::string without = default_words(key);
+    std::string text(key.info.sentence);
+    if (!key.info.rules.unit.empty()) text += " (" + std::string(key.info.rules.unit) + ")";
+    if (!without.empty()) text += key.info.rules.required ? "; required" : "; default: " + without;
+    schema["description"] = text;
+    return schema;
+}
+
+Json section_schema(const SectionText& section) {
+    Json properties = Json::object(), required = Json::array(), conflicts = Json::array();
+    for (const KeyText& key : section.keys) {
+        properties[std::string(key.info.name)] = key_schema(key);
+        if (key.info.rules.required) required.push_back(key.info.name);
+        for (const std::string_view other : key.info.rules.excludes)
+            if (!other.empty())
+                conflicts.push_back({{"not", {{"required", Json::array({key.info.name, other})}}}});
+    }
+    Json schema{{"type", "object"},
+                {"description", section.title},
+                {"properties", properties},
+                {"additionalProperties", false}};
+    if (!required.empty()) schema["required"] = required;
+    if (!conflicts.empty()) schema["allOf"] = conflicts;
+    return schema;
+}
+
+}  // namespace
+
+Json scene_schema() {
+    Json schema = section_schema(scene_reference());
+    schema["title"] = "A scene of Sherd";
+    // Statics end at solver.load; all else has a duration.
+    schema["if"] = {
+        {"properties",
+         {{"solver", {{"properties", {{"scheme", {{"const", "static"}}}}}, {"required", {"scheme"}}}}}},
+        {"required", {"solver"}}};
+    schema["then"] = {{"not", {{"required", {"duration"}}}}};
+    schema["else"] = {{"required", {"duration"}}};
+    Json result{{"$schema", "https://json-schema.org/draft/2020-12/schema"}};
+    result.update(schema);
+    return result;
+}
+
+}  // namespace sherd

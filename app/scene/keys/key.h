@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "app/scene/keys/key_value.h"
+
+namespace sherd {
+
+/// A key of a table that is read into a struct, declared once: its reader, its messages, its default, its
+/// documentation and its schema come from here.
+template <class Struct>
+struct Key {
+    KeyInfo info;
+    void (*read)(TomlTable& table, const KeyInfo& key, Struct& into) = nullptr;
+    std::string (*fallback)(const KeyInfo& key, const Struct& defaults) = nullptr;  ///< null: it has none
+    std::vector<SectionText> (*inside)() = nullptr;                                 ///< null: it is no table
+};
+
+/// A kind of table, which is read into a struct.
+template <class Struct_>
+struct Section {
+    using Struct = Struct_;
+    std::string_view title;  ///< what it describes
+    std::span<const Key<Struct>> keys;
+    /// Does what no key can do alone, when all of them have been read; null: nothing.
+    void (*complete)(TomlTable& table, Struct& into) = nullptr;
+};
+
+/// Reports the keys of a table that a key of it conflicts with.
+void report_conflicts(TomlTable& table, const KeyInfo& key);
+
+/// Reads the keys of a table, and reports those that conflict. The caller ends the table.
+template <class Struct>
+void read_keys(TomlTable& table, const Section<Struct>& section, Struct& into) {
+    for (const Key<Struct>& key : section.keys) key.read(table, key.info, into);
+    for (const Key<Struct>& key : section.keys) report_conflicts(table, key.info);
+    if (section.complete != nullptr) section.complete(table, into);
+}
+
+/// Reads a table whole: keys that it does not have are problems.
+template <class Struct>
+void read_section(TomlTable& table, const Section<Struct>& section, Struct& into) {
+    read_keys(table, section, into);
+    table.finish();
+}
+
+template <class Struct>
+SectionText text_of(const Section<Struct>& section) {
+    const Struct defaults{};
+    SectionText text{section.title, {}};
+    for (const auto& [info, read, fallback, inside] : section.keys)
+        if (info.forms != Form{})
+            text.keys.push_back({info, fallback != nullptr ? fallback(info, defaults) : "",
+                                 inside != nullptr ? inside() : std::vector<SectionText>()});
+    return text;
+}
+
+namespace keys {
+
+template <class Member>
+struct Traits;
+template <class Struct_, class Value_>
+struct Traits<Value_ Struct_::*> {
+    using Struct = Struct_;
+    using Value = Value_;
+};
+
+/// The struct that a path of members begins in, and the type of the member at its end.
+template <auto first, auto... rest>
+struct Path {
+    using Struct = typename Traits<decltype(first)>::Struct;
+    using Value = typename Path<rest...>::Value;
+};
+template <auto only>
+struct Path<only> : Traits<decltype(only)> {};
+
+template <auto first, auto... rest, class Struct>
+constexpr auto& at(Struct& all) {
+    if constexpr (sizeof...(rest) == 0)
+        return all.*first;
+    else
+        return at<rest...>(all.*first);
+}
+
+// Each reads a table into what a member is: a struct, an optional one, or a list of them.
+template <class Struct>
+void read_table(TomlTable& table, const KeyInfo& key, const Section<Struct>& section, Struct& into) {
+    if (auto inner = table.table(key.name)) read_section(*inner, section, into);
+}
+template <class Struct>
+void read_table(TomlTable& table, const KeyInfo& key, const Section<Struct>& section,
+                std::optional<Struct>& into) {
+    if (auto inner = table.table(key.name)) read_section(*inner, section, into.emplace());
+}
+template <class Struct>
+void read_table(TomlTable& table, const KeyInfo& key, const Section<Struct>& section,
+                std::vector<Struct>& into) {
+    for (TomlTable& inner : table.tables(key.name)) read_section(inner, section, into.emplace_back());
+}
+
+template <const auto& list, std::size_t i, auto... path>
+constexpr auto embed() {
+    using Struct = typename Path<path...>::Struct;
+    Key<Struct> key{list[i].info,
+                    [](TomlTable& table, const KeyInfo& info, Struct& into) {
+                        list[i].read(table, info, at<path...>(into));
+                    },
+                    nullptr, list[i].inside};
+    if (list[i].fallback != nullptr)
+        key.fallback = [](const KeyInfo& info, const Struct& defaults) {
+            return list[i].fallback(info, at<path...>(defaults));
+        };
+    return key;
+}
+
+template <const auto& list, auto... path, std::size_t... i>
+constexpr auto embed_all(std::index_sequence<i...>) {
+    return std::array{embed<list, i, path...>()...};
+}
+
+template <class Value>
+constexpr Form table_form = Form::table;
+template <class Value>
+constexpr Form table_form<std::vector<Value>> = Form::table | Form::tables;
+
+}  // namespace keys
+
+/// A key of a plain value, which is read into the member at the end of a path of members.
+template <auto... path>
+constexpr auto key(std::string_view name, std::string_view sentence, const KeyRules& rules = {}) {
+    using Struct = typename keys::Path<path...>::Struct;
+    const Form form =
+        rules.choices.empty() ? FormOf<typename keys::Path<path...>::Value>::form : Form::choice;
+    return Key<Struct>{{name, form, rules, sentence},
+                       [](TomlTable& table, const KeyInfo& info, Struct& into) {
+                           read_value(table, info, keys::at<path...>(into));
+                       },
+                       [](const KeyInfo& info, const Struct& defaults) {
+                           return as_toml(info, keys::at<path...>(defaults));
+                       }};
+}
+
+/// A key of a table that is read into a member: a struct, an optional one, or a vector of them, which may be
+/// written as an array of tables, too.
+template <const auto& section, auto... path>
+constexpr auto table_key(std::string_view name, std::string_view sentence, const KeyRules& rules = {}) {
+    using Struct = typename keys::Path<path...>::Struct;
+    return Key<Struct>{{name, keys::table_form<typename keys::Path<path...>::Value>, rules, sentence},
+                       [](TomlTable& table, const KeyInfo& info, Struct& into) {
+                           keys::read_table(table, info, section, keys::at<path...>(into));
+                       },
+                       nullptr,
+                       [] { return std::vector{text_of(section)}; }};
+}
+
+/// A key of a table whose keys are read into the struct that the key itself is of.
+template <const auto& section>
+constexpr auto part_key(std::string_view name, std::string_view sentence, const KeyRules& rules = {}) {
+    using Struct = typename std::remove_cvref_t<decltype(section)>::Struct;
+    return Key<Struct>{{name, Form::table, rules, sentence},
+                       [](TomlTable& table, const KeyInfo& info, Struct& into) {
+                           keys::read_table(table, info, section, into);
+                       },
+                       nullptr,
+                       [] { return std::vector{text_of(section)}; }};
+}
+
+/// A key that is read by hand. inside: of a table, the kinds that it may be.
+template <class Struct>
+constexpr Key<Struct> special_key(std::string_view name, Form forms, std::string_view sentence,
+                                  const KeyRules& rules,
+                                  void (*read)(TomlTable& table, const KeyInfo& key, Struct& into),
+                                  std::vector<SectionText> (*inside)() = nullptr) {
+    return {{name, forms, rules, sentence}, read, nullptr, inside};
+}
+
+/// A key that its table had once, which no reference tells.
+template <class Struct>
+constexpr Key<Struct> retired_key(std::string_view name, std::string_view instead) {
+    return {{name, Form{}, {.retired = {{}, instead}}, {}},
+            [](TomlTable& table, const KeyInfo& key, Struct& /*into*/) {
+                table.retired(key.name, key.rules.retired.instead);
+            }};
+}
+
+/// The keys of several lists, in their order.
+template <class Struct, std::size_t... sizes>
+constexpr auto joined(const std::array<Key<Struct>, sizes>&... lists) {
+    std::array<Key<Struct>, (sizes + ...)> all{};
+    auto end = all.begin();
+    ((end = std::copy(lists.begin(), lists.end(), end)), ...);
+    return all;
+}
+
+/// The keys of a list, for a struct that has what they are read into at the end of a path of members.
+template <const auto& list, auto... path>
+constexpr auto embedded() {
+    return keys::embed_all<list, path...>(std::make_index_sequence<list.size()>());
+}
+
+}  // namespace sherd
