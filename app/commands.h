@@ -26,7 +26,6 @@ void add_info(CLI::App& program, Command& chosen);
 void add_export(CLI::App& program, Command& chosen);
 void add_cut(CLI::App& program, Command& chosen);
 void add_probe(CLI::App& program, Command& chosen);
-void add_bench(CLI::App& program, Command& chosen);
 void add_converge(CLI::App& program, Command& chosen);
 void add_render(CLI::App& program, Command& chosen);
 void add_plot(CLI::App& program, Command& chosen);

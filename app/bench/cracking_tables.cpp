@@ -61,7 +61,7 @@ std::vector<Broken> broken_plates(const Drop& drop, const std::vector<SolverChoi
         if (!factorizations.contains(choice.energies))
             factorizations[choice.energies] = newton_cost(scenes.back()).factorization;
     }
-    const double step = scenes.front().solver.step;
+    const double step = scenes.front().simulation.stepper.step;
     std::vector<Broken> plates;
     for (RaceResult& raced : race(scenes, {.step = step,
                                           .settling = settling,

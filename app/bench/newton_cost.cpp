@@ -39,7 +39,7 @@ NewtonCost newton_cost(const Scene& scene) {
     const auto assemble = [&] {
         matrix.set_zero();
         for (const Energy* energy : all) energy->add_hessian(x, Curvature::exact, matrix);
-        if (!scene.is_static()) add_inertia(shell.mass, scene.solver.step, matrix);
+        if (!scene.is_static()) add_inertia(shell.mass, scene.simulation.stepper.step, matrix);
     };
     cost.vertices = shell.mass.size();
     const auto vertices = static_cast<double>(cost.vertices);

@@ -66,7 +66,7 @@ std::vector<Quiet> quiet_steps(double vertices, const std::vector<SolverChoice>&
         scenes.push_back(pane(vertices, choice));
         if (!bounds.contains(choice.energies)) bounds[choice.energies] = newton_cost(scenes.back());
     }
-    std::vector<RaceResult> raced = race(scenes, {.step = scenes.front().solver.step, .laps = 6});
+    std::vector<RaceResult> raced = race(scenes, {.step = scenes.front().simulation.stepper.step, .laps = 6});
     std::vector<Quiet> all;
     for (std::size_t i = 0; i < choices.size(); ++i) {
         const NewtonCost& bound = bounds[choices[i].energies];

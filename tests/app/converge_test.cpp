@@ -87,7 +87,7 @@ TEST(Outcome, OfAGaugeOfStressIsItsComponentsAndThePrincipalOneInPascal) {
 
 TEST(Outcome, StepsAndMeshesThatCannotBeCoarserSaySo) {
     const Scene scene = built_from(strip).scene;
-    EXPECT_EQ(with_steps(scene, 2).solver.step, 0.5);
+    EXPECT_EQ(with_steps(scene, 2).simulation.stepper.step, 0.5);
     EXPECT_NE(thrown_by([&] { with_steps(scene, 8); }).find("longer than the run"), std::string::npos);
     Scene from_file = scene;
     from_file.sheets[0].mesh = MeshFile{.path = "strip.obj", .remesh = {}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Comparisons of `sherd bench paper`, `scaling` and `cracking`: if runs began differently, steps were counted
+// Comparisons of `sherd-bench paper`, `scaling` and `cracking`: if runs began differently, steps were counted
 // twice, or ratios had wrong references, the tables of speed would be meaningless.
 #include <gtest/gtest.h>
 
@@ -158,17 +158,24 @@ TEST(ChartPage, NamesLinesOnceWhereChartsShareThem) {
 
 TEST(SpeedBench, DrawsAFigureWhereThereIsOne) {
     const TemporaryDirectory directory;
-    const std::vector<std::string> scaling{"bench",  "scaling",  "--vertices", "1600",
-                                           "--only", "(CS, CS)", "-o",         "growth.svg"};
-    const ProgramResult drawn = run_sherd(scaling, directory.path);
+    const auto bench = [&](const std::vector<std::string>& arguments) {
+        return run_program(SHERD_BENCH_PROGRAM, arguments, directory.path);
+    };
+    const std::vector<std::string> scaling{"scaling",  "--vertices", "1600",      "--only",
+                                           "(CS, CS)", "-o",         "growth.svg"};
+    const ProgramResult drawn = bench(scaling);
     EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
     EXPECT_NE(drawn.out.find("**Growth**"), std::string::npos) << drawn.out;
     EXPECT_NE(directory.contents().at(directory.path / "growth.svg").find("two passes, (CS, CS)"),
               std::string::npos);
-    EXPECT_EQ(run_sherd(scaling, directory.path).exit_code, 2) << "there is a file of that name";
-    const ProgramResult none = run_sherd({"bench", "shells", "-o", "errors.svg"}, directory.path);
+    EXPECT_EQ(bench(scaling).exit_code, 2) << "there is a file of that name";
+    const ProgramResult none = bench({"shells", "-o", "errors.svg"});
     EXPECT_EQ(none.exit_code, 2);
-    EXPECT_NE(none.err.find("draws no figure"), std::string::npos) << none.err;
+    EXPECT_NE(none.err.find("sherd-bench: error: -o: sherd-bench shells draws no figure"), std::string::npos)
+        << none.err;
+    const ProgramResult moved = run_sherd({"bench", "shells", "--quick"}, directory.path);
+    EXPECT_EQ(moved.exit_code, 2);
+    EXPECT_NE(moved.err.find("a program of its own: sherd-bench"), std::string::npos) << moved.err;
 }
 
 }  // namespace

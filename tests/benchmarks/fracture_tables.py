@@ -16,7 +16,7 @@ import sys
 HERE = pathlib.Path(__file__).parent
 # Heading, command of the table, and command of its cheapest rows.
 TABLES = (
-    ("Experiments beside theory", "SHERD bench fracture", "SHERD bench fracture --quick"),
+    ("Experiments beside theory", "SHERD-bench fracture", "SHERD-bench fracture --quick"),
     ("Window", "window_table.py SHERD 5", "window_table.py SHERD 1 5"),
     ("Struck plate", "star_table.py SHERD 3", "star_table.py SHERD 1 12"),
     ("Tempered glass: energy of a freed end", "freed_end.py", "freed_end.py"),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // End moment against beam theory, with plain and coupled hinges. The bounds are the measured errors plus a
-// margin. Deflections are cases of `sherd bench shells`.
+// margin. Deflections are cases of `sherd-bench shells`.
 #include <gtest/gtest.h>
 
 #include <cmath>

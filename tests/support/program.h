@@ -86,12 +86,11 @@ inline void become(std::vector<char*>& arguments, const std::filesystem::path& d
 
 }  // namespace detail
 
-/// Runs the real program in `directory` and waits for its end. meanwhile: called with its process number
-/// after its start.
-inline ProgramResult run_sherd(std::vector<std::string> arguments, const std::filesystem::path& directory,
-                               const ProgramLimits& limits = {},
-                               const std::function<void(pid_t)>& meanwhile = {}) {
-    std::string program = SHERD_PROGRAM;
+/// Runs a program in `directory` and waits for its end. meanwhile: called with its process number after
+/// its start.
+inline ProgramResult run_program(std::string program, std::vector<std::string> arguments,
+                                 const std::filesystem::path& directory, const ProgramLimits& limits = {},
+                                 const std::function<void(pid_t)>& meanwhile = {}) {
     std::vector<char*> pointers{program.data()};
     for (std::string& argument : arguments) pointers.push_back(argument.data());
     pointers.push_back(nullptr);
@@ -104,6 +103,13 @@ inline ProgramResult run_sherd(std::vector<std::string> arguments, const std::fi
     if (waitpid(child, &status, 0) != child) throw std::runtime_error("cannot wait for the program");
     const int exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     return {exit_code, detail::text_of(out.get()), detail::text_of(err.get())};
+}
+
+/// Runs the real program: see run_program().
+inline ProgramResult run_sherd(std::vector<std::string> arguments, const std::filesystem::path& directory,
+                               const ProgramLimits& limits = {},
+                               const std::function<void(pid_t)>& meanwhile = {}) {
+    return run_program(SHERD_PROGRAM, std::move(arguments), directory, limits, meanwhile);
 }
 
 }  // namespace sherd::test

@@ -16,17 +16,17 @@
 #include "app/bench/paper_tables.h"
 #include "app/bench/scaling_tables.h"
 #include "app/bench/shell_run.h"
-#include "app/commands.h"
 #include "app/files/pending_file.h"
 #include "app/json/json.h"
 #include "app/number_check.h"
+#include "app/program.h"
 #include "app/words/print.h"
 #include "meshops/error.h"
 
 namespace sherd {
 namespace {
 
-/// The command line of `sherd bench`.
+/// The command line of `sherd-bench`.
 struct BenchOptions {
     std::string name, only;
     std::vector<std::string> models{"cubic", "coupled", "coupled+arc"};
@@ -176,7 +176,7 @@ int bench_cracking(const BenchOptions& options) {
     return bench_speed(options, [&] { return cracking(options.only, options.quick, !options.json); });
 }
 
-/// A benchmark of `sherd bench`.
+/// A benchmark of `sherd-bench`.
 struct Bench {
     const char* name;
     const char* description;
@@ -207,49 +207,52 @@ std::string words_of_benches() {
 int run_bench(const BenchOptions& options) {
     const Bench& bench = *std::ranges::find(benches, options.name, &Bench::name);
     if (!options.figure.empty() && !bench.has_figure)
-        throw Error(fmt::format("-o: sherd bench {} draws no figure", options.name));
+        throw Error(fmt::format("-o: sherd-bench {} draws no figure", options.name));
     return bench.run(options);
 }
 
 }  // namespace
+}  // namespace sherd
 
-void add_bench(CLI::App& program, Command& chosen) {
-    CLI::App* command = program.add_subcommand(
-        "bench",
-        "Compare with theory, with published numbers and with itself, in tables that anyone can make");
-    auto options = std::make_shared<BenchOptions>();
-    command->add_option("name", options->name, words_of_benches())
+// NOLINTNEXTLINE(bugprone-exception-escape): before errors are reported, only a lack of memory could throw.
+int main(int argc, char** argv) {
+    using namespace sherd;
+    prepare_process();
+    CLI::App program(
+        "Compares Sherd with theory, with published numbers and with itself, in tables that anyone can make.",
+        "sherd-bench");
+    BenchOptions options;
+    program.add_option("name", options.name, words_of_benches())
         ->required()
         ->check(CLI::IsMember(names_of_benches()));
-    command->add_flag(
-        "--quick", options->quick,
+    program.add_flag(
+        "--quick", options.quick,
         "Under two minutes: the two coarser of three meshes, unstructured, of coupled hinges; of "
         "cost the coarsest mesh and plates only; of fracture one mesh of the two coarser ones; of paper and "
         "scaling the coarser meshes; of cracking the coarser mesh, and less time");
-    command
-        ->add_option(
-            "--only", options->only,
+    program
+        .add_option(
+            "--only", options.only,
             "Take the cases with this in their names; of scaling and cracking the choices of a solver")
         ->option_text("TEXT");
-    command
-        ->add_option("--models", options->models,
-                     "solver.bending, or with +arc or +constant-strain solver.membrane, too (default cubic "
-                     "coupled coupled+arc)")
+    program
+        .add_option("--models", options.models,
+                    "solver.bending, or with +arc or +constant-strain solver.membrane, too (default cubic "
+                    "coupled coupled+arc)")
         ->option_text("MODEL ...");
-    command
-        ->add_option("--vertices", options->most_vertices,
-                     "Of scaling: the largest mesh (default 102400), four times as many each; of paper: the "
-                     "largest that is taken")
+    program
+        .add_option("--vertices", options.most_vertices,
+                    "Of scaling: the largest mesh (default 102400), four times as many each; of paper: the "
+                    "largest that is taken")
         ->check(number_within(1600, 1e8))
         ->option_text("NUMBER");
-    command->add_option("-o,--output", options->figure, "Of paper, scaling and cracking: draw a figure, too")
+    program.add_option("-o,--output", options.figure, "Of paper, scaling and cracking: draw a figure, too")
         ->option_text("FILE.svg");
-    command->add_flag("--force", options->force, "Replace a file that exists");
-    command->add_flag("--json", options->json,
-                      "For scripts: one JSON array, of cost and scaling one JSON object");
-    command->footer(
-        "Example:\n  sherd bench shells --quick --only hemisphere\n  sherd bench paper --quick -o rates.svg");
-    command->callback([&chosen, options] { chosen = [options] { return run_bench(*options); }; });
+    program.add_flag("--force", options.force, "Replace a file that exists");
+    program.add_flag("--json", options.json,
+                     "For scripts: one JSON array, of cost and scaling one JSON object");
+    program.footer(
+        "Example:\n  sherd-bench shells --quick --only hemisphere\n  sherd-bench paper --quick -o rates.svg");
+    return run_program(
+        program, [&] { return run_bench(options); }, argc, argv);
 }
-
-}  // namespace sherd

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "app/commands.h"
+
+namespace sherd {
+
+/// Prepares the process for long runs: freed memory is kept, standard streams exist, and a reader that goes
+/// away, a file size limit and Ctrl-C end nothing by themselves. To be called first.
+void prepare_process();
+
+/// Parses the command line and runs what it has chosen; prints errors and returns the exit code: 0 done, 1
+/// failed, 2 bad input. version: what --version prints after the program's name.
+int run_program(CLI::App& program, const Command& chosen, int argc, char** argv);
+
+}  // namespace sherd
