@@ -141,7 +141,7 @@ void print_cost(const Scene& scene, BuiltScene built, const CheckOptions& option
     warn_of_cost(scene, cost, warnings);
 }
 
-/// Throws Error where obstacles will squeeze a sheet; where they only may, it warns.
+/// Throws Error if obstacles will squeeze a sheet, and adds a warning if they may.
 void require_room_between(const Scene& scene, const BuiltScene& built, std::vector<std::string>& warnings) {
     const SqueezedSheets squeezed =
         squeezed_sheets(scene, built.inputs, built.options.stepper.contact.obstacles);
@@ -149,7 +149,7 @@ void require_room_between(const Scene& scene, const BuiltScene& built, std::vect
     if (!squeezed.certain.empty()) throw Error(fmt::format("{}", fmt::join(squeezed.certain, "\n")));
 }
 
-/// Prints what there is to know. Throws Error with all mistakes that only the meshes show.
+/// Prints a summary of the scene. Throws Error with all mistakes that show only when meshes are made.
 void check(const Scene& scene, const CheckOptions& options, std::vector<std::string>& warnings) {
     if (!scene.variant.empty()) print_result("variant {}\n", scene.variant);
     if (!scene.is_static())
@@ -171,8 +171,7 @@ void check(const Scene& scene, const CheckOptions& options, std::vector<std::str
         }
     }
     if (!mistakes.empty()) throw Error(fmt::format("{}", fmt::join(mistakes, "\n")));
-    // Throws where sheets are not apart or do not hold their shape, and where a load or a support reaches
-    // nothing.
+    // Throws Error if a sheet overlaps or is unstable at rest, or if a load or a support acts on nothing.
     BuiltScene built = build_scene(scene, std::move(inputs), warnings);
     require_room_between(scene, built, warnings);
     print_bodies(scene, built.options.stepper.contact.bodies);
@@ -182,7 +181,7 @@ void check(const Scene& scene, const CheckOptions& options, std::vector<std::str
     print_cost(scene, std::move(built), options, warnings);
 }
 
-/// All warnings come after all that is printed of the variants, and all mistakes after these.
+/// Checks all variants. Prints their summaries, then all warnings, and throws Error with all mistakes.
 int check_all(const CheckOptions& options) {
     VariantRemarks warnings, mistakes;
     const std::vector<Scene> scenes = read_scenes(options.scene);

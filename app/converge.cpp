@@ -21,7 +21,7 @@ struct ConvergeOptions {
     bool json = false;
 };
 
-/// The quantity that was halved, and the outcomes of the three runs.
+/// Outcomes of three runs, with edges or steps (`of`) 4 times, twice and once as long as in the scene.
 struct Series {
     std::string of;
     std::array<Outcome, 3> runs;

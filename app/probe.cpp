@@ -60,7 +60,7 @@ ProbedEnergy sum(const std::string& name, const Elements& elements, const Positi
     return total;
 }
 
-/// An energy whose elements know their neighbours; a hinge without an angle has been found before.
+/// An energy whose elements depend on their neighbours. Degenerate hinges are refused by sum() before.
 ProbedEnergy whole(const std::string& name, const Energy& energy, const Positions& x) {
     ProbedEnergy total{name, energy.value(x), Positions::Zero(3, x.cols())};
     energy.add_gradient(x, total.force);
@@ -120,7 +120,7 @@ Probe probe(const ProbeShapes& shapes, const MaterialFile& material, std::vector
                        sum("bending_cubic_2007", CubicHinges2007(sheet.hinges, sheet.rest), x),
                        sum("membrane", MembraneElements{&sheet.triangles}, x),
                        whole("membrane_arc", ArcMembrane(sheet, {}), x)};
-    // The rigidity of coupled hinges is the material's, which a given stiffness of hinges is not.
+    // Coupled hinges have the rigidity of the material, which a given stiffness of hinges does not define.
     if (!material.bending_stiffness)
         result.energies.push_back(whole("bending_coupled", CoupledBending(sheet, {}), x));
     for (const HingeStencil& hinge : sheet.hinges) {

@@ -31,7 +31,7 @@ void keep_freed_memory() {
     ::mallopt(M_TRIM_THRESHOLD, most_kept);
 }
 
-/// Makes a standard stream that was closed one that cannot be written: no file may get its number.
+/// Opens closed standard streams on /dev/null, so that no file gets their numbers.
 void keep_standard_streams() {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", O_RDONLY);

@@ -22,7 +22,7 @@ struct ScenesOptions {
     std::string copy;  ///< name of a scene; empty: list them
     fs::path folder = ".";
     bool force = false, json = false, schema = false;
-    std::string settable;             ///< a scene, whose names stand in dotted keys; empty: not asked for
+    std::string settable;             ///< a scene whose dotted keys are listed; empty: none
     std::optional<std::string> keys;  ///< a table or a key; empty: all of them
 };
 
@@ -44,7 +44,7 @@ void print_json(const std::vector<ShippedScene>& scenes) {
     print_result("{}\n", list.dump(2));
 }
 
-/// For completion: the dotted keys of a scene, each with the words that it may be.
+/// Prints the dotted keys of a scene, each with its allowed words, for completion.
 void print_settable(const std::string& given) {
     std::vector<std::string> sheets, obstacles;
     try {

@@ -19,7 +19,7 @@ struct BodyOrigin {
     Vector3d angular_momentum = Vector3d::Zero();  ///< kg m^2/s
 };
 
-/// One implicit time step as energies see it. The time scheme defines the velocity as a function of the
+/// An implicit time step as energies use it. The time scheme defines the velocity as a function of the
 /// positions x at the step's end,
 ///     v(x) = (x - origin) / lag,
 /// and the acceleration, (v(x) - velocity_origin) / lag, at the end of the step. For implicit Euler the

@@ -17,11 +17,12 @@
 namespace sherd {
 namespace {
 
-/// Few are enough between two stages: the strains that matter next are those near the edges that just failed.
+/// Limit between two stages. Few iterations suffice: the next failures depend on the strains near the edges
+/// that have just failed.
 constexpr int iterations_between_stages = 10;
 constexpr double no_freedom = 1e-9;  // projections below this are round-off
 
-/// Snapshot::edge_held, [E].
+/// Returns Snapshot::edge_held, [E].
 std::vector<double> held_shares(std::span<const EdgeState> states, const Stepper& stepper) {
     std::vector<double> shares(states.size(), 0);
     bool any = false;
@@ -39,7 +40,8 @@ StepperOptions stepper_options(const SimulationOptions& options, const Shell& sh
     return result;
 }
 
-/// What all sheets and bodies get by falling a tenth of a thickness, J: such bounces are no blows.
+/// Energy that all sheets and bodies gain by falling a tenth of a thickness, J: bounces of no more energy are
+/// no impacts.
 double little_fall(const Shell& shell, const StepperOptions& options) {
     double moment = shell.mass.dot(shell.thickness);
     for (const RigidBody& body : options.contact.bodies) moment += body.mass * shell.thickness.mean();
@@ -54,7 +56,7 @@ std::size_t number_in(std::vector<T>& all, const T& one) {
     return number + 1;
 }
 
-/// The sheets with what is held set.
+/// Returns the sheets with their held vertices fixed or guided.
 BreakableShell supported(BreakableShell sheets, const std::vector<HeldVertex>& held) {
     Shell& shell = sheets.mechanics();
     for (const auto& [vertex, by] : held) {
@@ -122,7 +124,7 @@ StepReport Simulation::step() try {
 } catch (const Error&) {
     throw;
 } catch (const std::runtime_error& error) {
-    // The mechanics know of arrays only: they throw what is wrong, and here it is known when.
+    // The mechanics report errors without step and time, which are added here.
     std::ostringstream text;
     text << "step " << steps << ", at " << (options.stepper.scheme == Scheme::statics ? "load " : "")
          << time() << (options.stepper.scheme == Scheme::statics ? ": " : " s: ") << error.what();
@@ -207,8 +209,7 @@ bool Simulation::attempt(StepReport& report) {
 
 MinimiserResult Simulation::break_in_stages(StepReport& report, MinimiserResult newton, Measured now) {
     double waited = step_size.size();
-    bool is_cut_short =
-        false;  // whether the last solution had no more iterations because edges may still fail
+    bool is_cut_short = false;  // whether the last solution ended at its limit of iterations
     for (;;) {
         const std::vector<Edge> failing = allowed(most_overloaded_edges(breakable, now.hinges));
         const std::vector<CrackStep> growing = next_crack_steps(now, waited);
@@ -240,7 +241,8 @@ std::vector<CrackStep> Simulation::next_crack_steps(const Measured& now, double 
     if (!growth.needed()) return {};
     Judged judged{now.strains, now.hinges, time(), time() + step_size.size(), waited, {}, {}};
     judged.is_opening = [this](Index edge) { return stepper->held(edge) > 0; };
-    // Energy swings too much in fast plates, and hinges that are not coupled have none of use.
+    // In explicit steps, of fast plates, energy oscillates too much; hinges that are not coupled have no
+    // usable energy.
     if (stepper->scheme() != Scheme::explicit_differences && stepper->coupled_bending() != nullptr &&
         !growth.tips().empty())
         judged.equilibrium = {stepper->position, stepper->elastic_gradient(), stepper->lip_forces(),
@@ -335,8 +337,7 @@ void Simulation::finish(StepReport& report) {
     if (const auto face = stepper->fastest_triangle())
         report.fastest = face_place(breakable.mechanics(), *face);
     {
-        // The stepper that made the step knows where its contacts are; one of another scheme has yet to
-        // begin.
+        // Contacts are those of the stepper that made the step; one of another scheme has yet to begin.
         const Stopwatch watch(stepper->time_spent(), Task::contact);
         if (release_apart(breakable, bodies(), time())) stepper->topology_changed({});
     }
@@ -370,7 +371,7 @@ void Simulation::visit_state(StateVisitor& visit) {
     auto& [options, steps, events, residual, residual_at_start, breakable, stepper, growth, fragments,
            hinge_peaks, obstacles_touched, bodies_touched, step_size, pace, urgency, overwhelmed,
            is_last_resort, is_resort_tried, ends_at_crack, forbidden, grown, scripts] = *this;
-    // What is put back is that of the scheme which the stepper had.
+    // The restored state belongs to the scheme of the stepper that wrote it.
     Scheme scheme = stepper->scheme();
     const bool was_last_resort = is_last_resort;
     visit(scheme, is_last_resort);

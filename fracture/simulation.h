@@ -16,8 +16,8 @@
 
 namespace sherd {
 
-/// A vertex, numbered over all inputs, and what holds it, each in its own directions. It moves in those that
-/// are left.
+/// A vertex, numbered over all inputs, and its supports, each with the directions that it holds. The vertex
+/// moves in the remaining directions.
 struct HeldVertex {
     Index vertex = 0;
     std::vector<Hold> by;
@@ -28,20 +28,20 @@ struct SimulationOptions {
     /// step that cannot be solved is halved. The stepper's tolerance is set from `tolerance`.
     StepperOptions stepper = {.contact = {.sheets = true}};
     std::vector<Edge> cracks;      ///< edges that have failed before the run, numbered over all inputs
-    std::vector<HeldVertex> held;  ///< by the first StepperOptions::supports numbers
+    std::vector<HeldVertex> held;  ///< vertices with supports numbered below StepperOptions::supports
     std::vector<Gauge> gauges;
-    FaceFieldChoice fields;   ///< that snapshots have
-    int max_iterations = 50;  ///< of the minimiser, except between two stages of breaking
+    FaceFieldChoice fields;   ///< fields of snapshots
+    int max_iterations = 50;  ///< limit on those of the minimiser, except between two stages
     double tolerance = 1e-6;  ///< largest coordinate of the last correction, in mean edge lengths
     BreakingRule rule = BreakingRule::staged;
     int max_stages = 100;  ///< stages of staged breaking in one step
-    /// Implicit and explicit steps alternate (StepPace), beginning with implicit ones. Explicit steps are
-    /// parts, halved as often as need be, of the stepper's, so that they are not longer than explicit_step,
-    /// s. One that cannot go on (Stepper::solve throws) is made by implicit ones, as some after it are.
+    /// Whether implicit and explicit steps alternate (StepPace), beginning with implicit ones. Explicit steps
+    /// have the stepper's length, halved until it is at most explicit_step, s. If one fails (Stepper::solve()
+    /// throws), it is made with implicit steps, as are some after it.
     bool alternates = false;
     double explicit_step = 2e-6;
-    /// End with the first hinges that fail. The step is halved as far as it can be to find their moment; no
-    /// new equilibrium is sought.
+    /// Whether the run ends with the first hinges that fail. The step is halved as often as possible to find
+    /// their time; no new equilibrium is sought.
     bool until_crack = false;
 };
 
@@ -65,17 +65,17 @@ class Simulation {
     Snapshot snapshot() const { return snapshot(options.fields); }
     Snapshot snapshot(const FaceFieldChoice& fields) const;
 
-    // Between two steps, from outside. A state that is put back by visit_state() knows nothing of motions.
+    // Interventions between two steps. visit_state() does not store prescribed motions.
 
-    /// From the next step on these forces, [3, V] N, act on the vertices until others are given: see
-    /// GivenForces. Throws Error without ShellEnergyOptions::given_forces, and when there are not V.
+    /// Makes these forces, [3, V] N, act on the vertices from the next step on, until others are given: see
+    /// GivenForces. Throws Error without ShellEnergyOptions::given_forces, and if there are not V.
     void give_forces(const Positions& forces);
-    /// Vertices that pins hold in all directions go, straight and at constant speed, to `positions` [3, n] m,
-    /// where they are at `then` (s) and stay. Throws Error when one is not held so, or when that is not
-    /// later.
+    /// Moves vertices that pins hold in all directions, straight and at constant speed, to `positions` [3, n]
+    /// m, where they arrive at `then` (s) and stay. Throws Error if a vertex is not held so, or if `then` is
+    /// not later than now.
     void prescribe(std::span<const Index> vertices, const Positions& positions, double then);
-    /// Makes the hinges of edges fail, whatever their strength, and opens the mesh. What events there are
-    /// have the number of the last step. Throws Error as CrackMesh::fail() does, and on a hinge that is none.
+    /// Makes the hinges of edges fail, whatever their strength, and opens the mesh. Events have the number of
+    /// the last step. Throws Error if an edge has no hinge or is given twice, and like CrackMesh::fail().
     void break_by_hand(std::span<const Edge> edges);
 
     const BreakableShell& shell() const { return breakable; }
@@ -83,9 +83,9 @@ class Simulation {
     const std::vector<RigidBody>& bodies() const { return stepper->bodies(); }
     const std::vector<Gauge>& gauges() const { return options.gauges; }
     const HingePeaks& peaks() const { return hinge_peaks; }
-    /// How many edges have been kept from failing by ArtDirection::smallest.
+    /// Number of edges that ArtDirection::smallest has kept from failing.
     Index forbidden_failures() const { return forbidden; }
-    /// How many edges have failed by toughness, births among them.
+    /// Number of edges that have failed by toughness, nucleation included.
     Index grown_edges() const { return grown; }
     /// [O] and [B]: whether anything was in contact with the obstacle, or the body, at the end of a step so
     /// far.
@@ -94,60 +94,62 @@ class Simulation {
     /// Returns the crack events since the last call.
     CrackEvents take_events();
     double time() const { return step_size.time(); }  ///< s; see StepperOptions::scheme
-    /// Whether there is no step to do any more: SimulationOptions::until_crack, Stepper::arrived().
+    /// Whether the run has ended: SimulationOptions::until_crack, Stepper::arrived().
     bool arrived() const { return ends_at_crack || stepper->arrived(); }
     /// The wall time of all steps by task.
     const TimeSpent& time_spent() const { return stepper->time_spent(); }
-    /// All that a simulation of the same input needs to go on from here as this one does, bit for bit.
+    /// Visits all that a simulation of the same input needs to continue from here bit for bit.
     void visit_state(StateVisitor& visit);
 
   private:
-    /// What is judged, at the stepper's position.
+    /// Strains and measures of hinges at the stepper's position.
     struct Measured {
         FaceStrains strains;
         HingeMeasures hinges;
     };
     [[noreturn]] void give_up(const StepReport& report) const;
-    /// Solves a step from its beginning, including its breaking. Returns whether it is made; else urgency
-    /// says why not.
+    /// Solves a step from its beginning, failures included. Returns whether it succeeded; otherwise `urgency`
+    /// is the reason.
     bool attempt(StepReport& report);
-    /// Before anything is judged. Where schemes alternate, what ends explicit steps is kept in `overwhelmed`.
+    /// First solution of a step. Where schemes alternate, the error of explicit steps is stored in
+    /// `overwhelmed`.
     MinimiserResult first_solution(StepReport& report);
-    /// Makes what follows an attempt in vain another one. Returns false when nothing is left to try.
+    /// Prepares another attempt: another scheme, or half the step. Returns false if nothing is left to try.
     bool try_otherwise(StepReport& report);
-    /// Judges an implicit step that has been solved.
+    /// Decides whether an implicit step that has been solved must be replaced by explicit ones.
     Urgency judged(const StepReport& report, const Measured& measured);
     void go_explicit(StepReport& report);
     void change_scheme(Scheme scheme);
     /// Breaks and solves again until nothing is overloaded. Returns the result of the last solution.
     MinimiserResult break_in_stages(StepReport& report, MinimiserResult newton, Measured measured);
     Measured measured() const;
-    /// What cracks by toughness do next. waited: see Judged.
+    /// Next edges of cracks by toughness. waited: see Judged.
     std::vector<CrackStep> next_crack_steps(const Measured& measured, double waited);
-    /// Whether anything fails at all.
+    /// Whether any edge fails, by strength or by toughness.
     bool fails(const Measured& measured);
     MinimiserResult solve_stage(StepReport& report, int max_iterations);
     void break_edges(std::span<const Edge> edges, const HingeMeasures& measures, Index stage,
                      const std::optional<Opening>& opening = {});
-    /// Breaks the edge of a crack that goes by toughness, which takes residual stress with it.
+    /// Breaks the edge of a crack that propagates by toughness, and releases residual stress.
     void break_by_toughness(Edge edge, Index stage);
-    /// Those of the edges that fail in a stage that may: see ArtDirection::smallest.
+    /// Returns the edges that may fail in a stage: see ArtDirection::smallest.
     std::vector<Edge> allowed(std::vector<Edge> edges);
-    /// Lets cracks go on, one edge after the other. Returns whether the shell has changed.
+    /// Propagates cracks, one edge after the other. Returns whether the shell has changed.
     bool grow(std::span<const CrackStep> crack_steps, Index stage);
-    /// Makes an edge along the ray of a step, beside those made before, which stay.
+    /// Inserts an edge along the ray of a step, and keeps the edges of the steps `made_before`.
     std::optional<BreakableShell::Advanced> make_edge(const CrackStep& crack_step,
                                                       std::span<const CrackStep> made_before);
-    /// How the edge of a crack that goes by toughness opens; has: J, that it need not take from what carries.
+    /// Opening of the edge of a crack that propagates by toughness; none if `has`, the energy released
+    /// already, J, suffices.
     std::optional<Opening> opening_of(Edge edge, double has) const;
-    /// Gives a vertex a motion of its own.
+    /// Sets the prescribed motion of a vertex alone.
     void set_motion(Index vertex, const Motion& motion);
-    /// Lets all that refers to the shell follow a change of it.
+    /// Updates all that refers to the shell after a change of it.
     void follow_change(const BreakableShell::Change& change);
     void record_failures(std::span<const Edge> edges, const HingeMeasures& measures, Index stage);
     void record_change(const CrackMesh::Change& change);
-    /// Keeps what loads refer to, opens what has failed before the run, begins the list of events with it,
-    /// and lets what is apart at the start meet.
+    /// Prepares the sheets: locks the geometry of loads, opens the cracks of the start and records them as
+    /// events, and re-enables contact between surfaces that are apart.
     BreakableShell at_start(BreakableShell sheets);
     void open_cracks(BreakableShell& sheets);
     void update_fragments();
@@ -172,15 +174,15 @@ class Simulation {
     std::vector<char> obstacles_touched, bodies_touched;
     StepSize step_size;
     StepPace pace;
-    Urgency urgency = Urgency::none;  ///< of the last attempt
-    std::string overwhelmed;          ///< what ended the last explicit step that could not go on
-    /// Whether steps are explicit because implicit ones cannot go on, either: they may then press sheets
-    /// deeper than barriers bear.
+    Urgency urgency = Urgency::none;  ///< reason for which the last attempt failed
+    std::string overwhelmed;          ///< error of the last explicit step that failed
+    /// Whether steps are explicit because implicit ones have failed, too: overlaps may then exceed those that
+    /// barriers permit.
     bool is_last_resort = false;
-    bool is_resort_tried = false;  ///< in the open step
+    bool is_resort_tried = false;  ///< whether this has been tried in the open step
     bool ends_at_crack = false;
     Index forbidden = 0, grown = 0;
-    std::size_t scripts = 0;  ///< motions of the start
+    std::size_t scripts = 0;  ///< number of prescribed motions at the start
 };
 
 }  // namespace sherd

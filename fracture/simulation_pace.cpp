@@ -3,12 +3,12 @@
 
 #include "fracture/simulation.h"
 
-// How long the steps of a simulation are, and of which scheme; simulation.cpp has the step.
+// Length and scheme of the steps of a simulation; simulation.cpp has the step.
 
 namespace sherd {
 namespace {
 
-/// How often a step is halved to be no longer than another one.
+/// Number of times that a step must be halved to be at most `length`.
 int halvings_to(double length, double step) {
     return std::max(0, static_cast<int>(std::ceil(std::log2(step / length))));
 }

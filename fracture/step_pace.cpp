@@ -4,8 +4,8 @@
 namespace sherd {
 namespace {
 
-constexpr double much_energy = 5e-3;      // of the largest, in a step
-constexpr double near_failure = 0.7;      // of what something withstands, which implicit peaks underrate
+constexpr double much_energy = 5e-3;      // share of the largest energy, in a step
+constexpr double near_failure = 0.7;      // overload, which implicit steps underestimate
 constexpr int soon = 8, most_quiet = 64;  // implicit steps; whole steps
 
 }  // namespace
@@ -53,7 +53,7 @@ void StepPace::stays_implicit() {
 
 bool StepPace::explicit_finished(const StepActivity& step, bool whole) {
     largest_energy = std::max(largest_energy, step.energy);
-    // What rings and does not break will not break by that: it only gets less.
+    // Vibrations that break nothing are ignored: they only decay.
     is_busy = is_busy || step.fails;
     contact.add(step.contact);
     if (!whole) return false;

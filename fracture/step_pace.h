@@ -9,46 +9,48 @@
 
 namespace sherd {
 
-/// Why an implicit step is made of explicit ones, or an explicit one of implicit ones.
+/// Reason for which explicit steps replace an implicit one, or implicit ones an explicit one.
 enum class Urgency : std::uint8_t {
     none,
-    strike,       ///< something strikes, and the time scheme takes much of its energy
-    stress,       ///< something may fail soon
-    crack,        ///< something fails
+    strike,       ///< an impact of whose energy the time scheme dissipates much
+    stress,       ///< an edge is near failure
+    crack,        ///< an edge fails
     unsolved,     ///< the step cannot be solved
-    overwhelmed,  ///< explicit steps cannot go on: implicit ones shall
-    passage,      ///< something passes through what it meets in the step that was solved
+    overwhelmed,  ///< explicit steps have failed: implicit ones follow
+    passage,      ///< surfaces pass through each other in the solved step
 };
 
 inline constexpr std::size_t urgency_count = 7;
 
-/// What a step has done, or would do.
+/// Activity in a step that has been solved or finished.
 struct StepActivity {
     double overload = 0;   ///< see StepReport::peak_overload
-    bool fails = false;    ///< whether anything does
+    bool fails = false;    ///< whether anything fails
     double contact = 0;    ///< J, stored in contact at its end
-    double by_scheme = 0;  ///< J, that the time scheme takes
+    double by_scheme = 0;  ///< J, dissipated by the time scheme
     double energy = 0;     ///< J, kinetic and stored, at its end
 };
 
-/// Judges steps by what they do. Where schemes alternate, explicit steps follow when an implicit one has been
-/// solved and turns out urgent, and implicit ones when nothing has happened for some whole steps: twice as
-/// many of them each time that explicit steps had to follow at once again. When explicit steps cannot go on,
-/// implicit ones follow for some whole steps, urgent or not: twice as many each time.
+/// Decides on the scheme of steps by their activity. Where schemes alternate, explicit steps replace an
+/// implicit one that has been solved and turns out urgent, and implicit steps follow after some quiet whole
+/// steps: after twice as many each time that explicit steps had to follow at once again. After an explicit
+/// step that failed some whole steps are implicit, urgent or not: twice as many each time.
 class StepPace {
   public:
-    /// little: J, so much and less in a step is never a blow.
+    /// little: J, energy up to which a contact is no impact.
     explicit StepPace(double little = 0) : little(little) {}
-    /// Of an implicit step that has been solved.
+    /// Returns the urgency of an implicit step that has been solved.
     Urgency judge(const StepActivity& solved) const;
-    /// An implicit step has been finished; whole: at a multiple of the nominal length.
+    /// Must be called when an implicit step is finished; whole: whether it ends at a multiple of the nominal
+    /// length.
     void implicit_finished(const StepActivity& step, bool whole);
-    /// Explicit steps follow.
+    /// Must be called before explicit steps.
     void goes_explicit();
-    /// Implicit steps follow, because explicit ones cannot go on.
+    /// Must be called before implicit steps that replace failed explicit ones.
     void stays_implicit();
     bool is_held() const { return held > 0; }  ///< whether steps must be implicit
-    /// An explicit step has been finished; whole: as before. Returns whether implicit steps shall follow.
+    /// Must be called when an explicit step is finished; whole: see implicit_finished(). Returns whether
+    /// implicit steps shall follow.
     bool explicit_finished(const StepActivity& step, bool whole);
     void visit_state(StateVisitor& visit) {
         auto& [little, largest_energy, is_busy, contact, quiet, enough, implicit_steps, held, hold] = *this;
@@ -57,9 +59,9 @@ class StepPace {
 
   private:
     static constexpr int least_quiet = 4;  // whole steps
-    static constexpr int calming = 3;      // implicit steps that take what still rings
+    static constexpr int calming = 3;      // implicit steps that damp remaining vibrations
 
-    /// Of energies, J. What lies on something, or is pressed, keeps its contact; a blow makes and ends one.
+    /// Range of contact energies, J. Resting or constant pressing keeps it narrow; an impact widens it.
     struct Range {
         double least = std::numeric_limits<double>::infinity(), most = -least;
         void add(double energy);
@@ -73,12 +75,12 @@ class StepPace {
     double little;                 ///< J
     double largest_energy = 0;     ///< J, StepActivity::energy in all steps
     bool is_busy = false;          ///< whether anything has failed since the last whole step
-    Range contact;                 ///< stored in contact, from the end of the last whole step on
-    int quiet = 0;                 ///< whole steps in which nothing has
-    int enough = least_quiet;      ///< of them, for implicit steps to follow
+    Range contact;                 ///< energy stored in contact, from the end of the last whole step on
+    int quiet = 0;                 ///< whole steps in succession without failure and impact
+    int enough = least_quiet;      ///< quiet steps required before implicit steps
     int implicit_steps = calming;  ///< since the last explicit one
-    int held = 0;                  ///< whole steps that still must be implicit
-    int hold = least_quiet;        ///< of them, the next time that explicit ones cannot go on
+    int held = 0;                  ///< whole steps that must still be implicit
+    int hold = least_quiet;        ///< whole steps to hold after the next failure of explicit steps
 };
 
 }  // namespace sherd

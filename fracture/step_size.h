@@ -6,8 +6,8 @@
 
 namespace sherd {
 
-/// The length of time steps: it is the nominal one, is halved when a step shall be shorter, and doubles
-/// after four steps that succeed. No step crosses a multiple of the nominal length.
+/// The length of time steps: the nominal one, halved when a step has to be shorter, and doubled after four
+/// steps that succeed. No step crosses a multiple of the nominal length.
 class StepSize {
   public:
     static constexpr int most_halvings = 10;  ///< the smallest step is 1/1024 of the nominal one
@@ -21,7 +21,7 @@ class StepSize {
     bool can_halve() const { return length > smallest; }
     /// Halves the next step. Returns false when it has the smallest length already.
     bool halve();
-    /// Steps have the nominal length halved so often until resume().
+    /// Sets the length of all steps until resume(): the nominal one, halved so many times.
     void keep(int halvings);
     void resume();
     /// Whether the next step begins at a multiple of the nominal length.
@@ -34,19 +34,19 @@ class StepSize {
     // Lengths are multiples of a tick, so that times have no round-off that adds up.
     static constexpr std::int64_t smallest = 1024, whole = smallest << most_halvings;
 
-    /// The next step: what is left to a multiple of the nominal length is divided evenly.
+    /// Length of the next step: the rest up to a multiple of the nominal length is divided evenly.
     std::int64_t ticks() const {
         const std::int64_t left = whole - done % whole;
         return left <= length ? left : left < 2 * length ? (left + 1) / 2 : length;
     }
-    /// Exactly an integer times the nominal length after whole steps.
+    /// Time of `count` ticks, s: exactly an integer times the nominal length after whole steps.
     double seconds(std::int64_t count) const {
         return static_cast<double>(count) * nominal / static_cast<double>(whole);
     }
 
     double nominal;
     std::int64_t done = 0;        ///< ticks
-    std::int64_t length = whole;  ///< ticks, that the next step has if there is room
+    std::int64_t length = whole;  ///< ticks, length of the next step if there is room
     int successes = 0;            ///< steps since the last change of length
     bool is_kept = false;         ///< whether the length stays
 };

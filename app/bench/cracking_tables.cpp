@@ -19,9 +19,9 @@
 namespace sherd {
 namespace {
 
-constexpr int settling = 1;  // the first step makes what later ones have
+constexpr int settling = 1;  // the first step makes patterns and first factors, and is not measured
 
-/// A part of plate_drop.
+/// The scene plate_drop with a mesh and a duration of its own.
 struct Drop {
     double edge;  ///< m
     double end;   ///< s
@@ -34,7 +34,7 @@ Scene drop_scene(const Drop& drop, const SolverChoice& choice) {
                       {settings, ""});
 }
 
-/// The steps of a run in which something broke, or nothing did.
+/// Cost of the steps of one kind in a run: before the impact, later without failures, or with failures.
 struct Steps {
     StepCost cost;
     int laps = 0;
@@ -43,13 +43,13 @@ struct Steps {
     double seconds() const { return cost.seconds / laps; }
 };
 
-/// One choice in one drop.
+/// A choice of a solver in a drop.
 struct Broken {
     RaceResult race;
-    double factorization;  ///< s, of the matrix of the same energies before anything broke
+    double factorization;  ///< s, of the unfractured plate's matrix with the same energies
     Steps flight, quiet, cracking;
 
-    /// Of a cracking step to one of these.
+    /// Time of a cracking step over that of a step of another kind.
     double ratio_to(const Steps& steps) const { return cracking.seconds() / steps.seconds(); }
 };
 

@@ -15,7 +15,7 @@ BlockMatrix laid_out(const Shell& shell, const std::vector<Energy*>& energies) {
     return {static_cast<Index>(shell.mass.size()), pairs, shell.fixed, shell.guide, shell.guides};
 }
 
-/// That of implicit Euler with this step.
+/// Adds the inertia of implicit Euler with this step, s.
 void add_inertia(const VectorXd& mass, double step, BlockMatrix& matrix) {
     for (Index v = 0; v < mass.size(); ++v) matrix.add(v, v, mass[v] / (step * step) * Matrix3d::Identity());
 }

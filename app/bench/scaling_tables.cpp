@@ -23,10 +23,10 @@ namespace sherd {
 namespace {
 
 constexpr double fewest_vertices = 400, growth = 4;
-constexpr double fitted_from = 1000;  // vertices: below, the caches hold all
+constexpr double fitted_from = 1000;  // vertices; smaller meshes fit into the caches
 constexpr double side = 0.5;          // m
 
-/// A pane of glass, clamped at one side, whose rest moves: nothing touches it, and nothing breaks.
+/// A pane of glass, clamped at one side and otherwise moving, without contact and fracture.
 Scene pane(double vertices, const SolverChoice& choice) {
     const double edge = side / std::sqrt(0.5 * std::sqrt(3) * vertices);
     return parse_scene(fmt::format(R"(duration = 1
@@ -42,12 +42,12 @@ step = 1e-4
                        "bench", {choice.settings, ""});
 }
 
-/// One choice on one mesh.
+/// Steps with a choice of a solver on a mesh.
 struct Quiet {
     const SolverChoice& choice;
     RaceResult race;
-    NewtonCost bound;   ///< of the same energies
-    double two_passes;  ///< s, over the factor in double precision, from memory
+    NewtonCost bound;   ///< lower bound, with the same energies
+    double two_passes;  ///< s, to read the factor in double precision twice from memory
 
     double vertices() const { return static_cast<double>(race.vertices); }
     double in_step(std::int64_t StepCost::*number) const {
@@ -58,7 +58,7 @@ struct Quiet {
     bool is_known() const { return race.failure.empty() && race.cost().steps > 0; }
 };
 
-/// All choices on a mesh. bandwidth: bytes/s.
+/// Measures all choices on a mesh. bandwidth: bytes/s.
 std::vector<Quiet> quiet_steps(double vertices, const std::vector<SolverChoice>& choices, double bandwidth) {
     std::map<std::string, NewtonCost> bounds;
     std::vector<Scene> scenes;
@@ -113,7 +113,7 @@ Json quiet_json(const Quiet& quiet) {
             {"failure", quiet.race.failure}};
 }
 
-/// A line over vertices of one choice; value: of one that is known.
+/// Line of a choice over the number of vertices. value: the ordinate, from a Quiet.
 template <class Value>
 ChartSeries over_vertices(const std::vector<Quiet>& all, const SolverChoice& choice, Value value) {
     ChartSeries series{

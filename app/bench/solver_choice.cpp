@@ -11,7 +11,7 @@
 namespace sherd {
 namespace {
 
-/// Models of hinges, with the Jacobian of their energies unless another one is given.
+/// Models of hinges. The Jacobian is that of the energies, unless a setting chooses another.
 struct Hinges {
     std::string energies, pairing, beside, bending;
 };
@@ -20,7 +20,7 @@ const Hinges nonlinear{"NH", "(NH, NH)", "(NH, NH)", "solver.bending=nonlinear"}
     cubic{"CS", "(CS, CS)", "(NH, NH)", "solver.bending=cubic"},
     coupled{"coupled", "coupled", "coupled", "solver.bending=coupled"};
 
-/// Newton's method in a pairing of the paper with another Jacobian.
+/// Newton's method in a pairing of the paper whose Jacobian is not that of the energy.
 SolverChoice inexact(const Hinges& hinges, const char* pairing, const char* jacobian, const char* colour) {
     return {.name = pairing,
             .energies = hinges.energies,

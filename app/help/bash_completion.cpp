@@ -8,7 +8,7 @@
 namespace sherd {
 namespace {
 
-/// How the script writes a value: a word for its kind, then its words.
+/// Value in the notation of the script: a word for its kind, then its words.
 std::string value_words(const OptionValue& value) {
     switch (value.kind) {
         case OptionValue::Kind::words:
@@ -39,7 +39,7 @@ std::string option_words(const CLI::App& command) {
     return fmt::format("{}", fmt::join(names, " "));
 }
 
-/// A line of the script's table of values for each option, and for each argument by its number.
+/// Adds a line to the script's table of values for each option, and for each argument by its number.
 void add_values(std::string& table, const CLI::App& command) {
     const auto add = [&](const std::string& name, const CLI::Option& option) {
         table += fmt::format("        '{} {}') echo '{}' ;;\n", command.get_name(), name,

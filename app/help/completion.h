@@ -10,7 +10,7 @@ namespace sherd {
 /// files by extension and shipped scenes of `program`.
 std::string bash_completion(const CLI::App& program);
 
-/// The same for zsh, as a file `_sherd` on its fpath, or sourced after compinit.
+/// A script for zsh that completes the same, as a file `_sherd` on its fpath, or sourced after compinit.
 std::string zsh_completion(const CLI::App& program);
 
 }  // namespace sherd

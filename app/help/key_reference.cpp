@@ -30,7 +30,7 @@ void add_sections(std::vector<PlacedSection>& all, const std::string& place, con
     }
 }
 
-/// "sheet.fracture" of "sheet.NAME.fracture".
+/// Returns "sheet.fracture" for "sheet.NAME.fracture".
 std::string short_place(std::string place) {
     for (std::size_t at = 0; (at = place.find(".NAME")) != std::string::npos;) place.erase(at, 5);
     return place;
@@ -74,7 +74,7 @@ std::string section_lines(const PlacedSection& placed, const std::string& only, 
     return lines;
 }
 
-/// What a shell may offer for a value, each with a blank before it.
+/// Words that a shell can offer for a value, each after a blank.
 std::string words_of(const KeyInfo& key) {
     std::string words;
     if (has_form(key.forms, Form::choice))
@@ -87,7 +87,7 @@ bool has_key(const PlacedSection& placed, const std::string& name) {
                                [&](const KeyText& key) { return key.info.name == name; });
 }
 
-/// Whether a place is meant by what somebody has typed: the place, with or without names, or its end.
+/// Whether `typed` names a place: in full, without ".NAME", or by its end.
 bool is_meant(const std::string& place, const std::string& typed) {
     const std::string bare = short_place(place);
     return place == typed || bare == typed || bare.ends_with("." + typed);

@@ -8,8 +8,8 @@
 
 namespace sherd {
 
-/// A table of a scene, and where it stands: "sheet.NAME.fracture", empty for the scene itself. Several of one
-/// place are the kinds of table that may stand there.
+/// A table of scenes and its place: "sheet.NAME.fracture", empty for the scene itself. Several tables with
+/// one place are the kinds of table that are allowed there.
 struct PlacedSection {
     std::string place;
     SectionText section;
@@ -18,19 +18,19 @@ struct PlacedSection {
 /// All tables of scenes: the scene itself, then each table before those in it.
 std::vector<PlacedSection> scene_sections();
 
-/// What a value may be: "a positive number (m)", "\"hue\" or \"vector\"".
+/// Allowed values of a key: "a positive number (m)", "\"hue\" or \"vector\"".
 std::string value_words(const KeyInfo& key);
 
-/// What holds without the key: "required", "0.3 (m)"; empty: nothing is told.
+/// Default of a key: "required", "0.3"; empty: not documented.
 std::string default_words(const KeyText& key);
 
-/// The reference of scenes' keys in lines of at most `columns` characters; 0: of any length. wanted: a table,
-/// "solver" or "sheet.fracture", or a key of it, "solver.step"; empty: all. Throws Error (input) with the
-/// nearest name when there is none.
+/// Reference of the keys of scenes in lines of at most `columns` characters; 0: of any length. wanted: a
+/// table, "solver" or "sheet.fracture", or a key of it, "solver.step"; empty: all. Throws Error (input) with
+/// the nearest name if there is no such table or key.
 std::string key_reference(const std::string& wanted, std::size_t columns);
 
-/// What `--set` may set, a line each: a dotted key, with the names of the scene's own sheets and obstacles,
-/// and the words that it may be.
+/// Lines for completion, one for each key that `--set` can set: the dotted key, with the names of these
+/// sheets and obstacles, and its allowed words.
 std::vector<std::string> settable_lines(const std::vector<std::string>& sheets,
                                         const std::vector<std::string>& obstacles);
 

@@ -11,7 +11,7 @@
 namespace sherd {
 namespace {
 
-/// Text as roff prints it: no macro at the head of a line, ASCII hyphens and quotes that can be copied.
+/// Escapes text for roff: no macro at the head of a line, and ASCII hyphens and quotes that can be copied.
 std::string escaped(const std::string& text) {
     std::string result;
     for (const char c : text) {
@@ -43,7 +43,7 @@ std::string escaped(const std::string& text) {
     return result;
 }
 
-/// Names in bold, what stands for a value in italics.
+/// Heading of an option: its names in bold, the placeholder of its value in italics.
 std::string option_heading(const CLI::Option& option) {
     std::string heading;
     for (const std::string& name : typed_names(option))
@@ -56,7 +56,7 @@ std::string option_heading(const CLI::Option& option) {
 std::string option_list(const CLI::App& command, bool positional) {
     std::string list;
     for (const CLI::Option* option : shown_options(command, positional)) {
-        if (option == command.get_help_ptr() && command.get_parent() != nullptr) continue;  // told once
+        if (option == command.get_help_ptr() && command.get_parent() != nullptr) continue;  // documented once
         const std::string standard = option->get_default_str();
         list += fmt::format(".TP\n{}\n{}{}{}\n", option_heading(*option), escaped(option->get_description()),
                             standard.empty() ? "" : escaped(fmt::format(" (default: {})", standard)),
@@ -65,7 +65,7 @@ std::string option_list(const CLI::App& command, bool positional) {
     return list;
 }
 
-/// A footer: what is indented in the help is shown as it is.
+/// Footer of the help in roff. Indented lines are not filled.
 std::string footer(const std::string& text) {
     std::string result;
     bool shown = false;

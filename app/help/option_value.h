@@ -7,7 +7,7 @@
 
 namespace sherd {
 
-/// What may stand behind an option or in an argument's place, as far as a shell can complete it.
+/// Value of an option or an argument, as far as a shell can complete it.
 struct OptionValue {
     enum class Kind {
         none,      ///< a flag
@@ -20,19 +20,19 @@ struct OptionValue {
     };
 
     Kind kind = Kind::anything;
-    std::vector<std::string> words;  ///< of a file: its extensions, none for any
+    std::vector<std::string> words;  ///< words, or the extensions of a file; empty: any extension
 };
 
-/// Reads it off the help, so that there is one place for either: words are the ones of an option text like
-/// `rigid|morph`; a file's option text ends in an extension (`RUN.h5`) or is PATH, FILE, FOLDER, OUT or MESH,
-/// or its description has extensions in brackets, `(.obj, .ply)`; SCENE.toml and SCENE are scenes, and
+/// Derives the value from the help, so that it is declared in one place: words are those of an option text
+/// like `rigid|morph`; a file's option text ends in an extension (`RUN.h5`) or is PATH, FILE, FOLDER, OUT or
+/// MESH, or its description has extensions in brackets, `(.obj, .ply)`; SCENE.toml and SCENE are scenes, and
 /// KEY=VALUE is a setting.
 OptionValue option_value(const CLI::Option& option);
 
-/// Its names as they are typed: -o, --output; none of an argument.
+/// Names of an option as they are typed: -o, --output; empty for an argument.
 std::vector<std::string> typed_names(const CLI::Option& option);
 
-/// What stands for its value in the help; empty for a flag.
+/// Placeholder of the value in the help; empty for a flag.
 std::string value_name(const CLI::Option& option);
 
 /// The options that the help shows; with `positional` the arguments, in their order.

@@ -8,7 +8,7 @@
 namespace sherd {
 namespace {
 
-/// Text in the descriptions of _arguments and _describe, within single quotes.
+/// Quotes text for the descriptions of _arguments and _describe, within single quotes.
 std::string quoted(const std::string& text) {
     std::string result;
     for (const char c : text) {

@@ -3,7 +3,8 @@
 
 namespace sherd {
 
-/// What a map or a scored line changes: where cracks are born, or where they go on.
+/// Property that a map or a scored line multiplies: strength, at which cracks nucleate, or toughness, at
+/// which they propagate.
 enum class FractureLaw { strength, toughness };
 
 }  // namespace sherd

@@ -23,7 +23,7 @@ struct MapProperty {
     std::string name;
 };
 
-/// Where the values of a map over a sheet come from.
+/// Source of the values of a map over a sheet.
 using MapSource = std::variant<MapTexture, MapGrid, MapProperty>;
 
 }  // namespace sherd

@@ -8,7 +8,7 @@
 
 namespace sherd {
 
-/// How a texel says an angle between 0 and 180 degrees.
+/// Encoding of an angle between 0 and 180 degrees in a texel.
 enum class AxisEncoding {
     hue,    ///< hue 0 to 360 degrees is twice the angle; grey is no direction
     vector  ///< red and green, 0 to full, are cosine and sine, -1 to 1, of twice the angle
@@ -27,10 +27,10 @@ struct AxisDirection {
     double degrees = 0;
 };
 
-/// The mesh file's own: property::axis, projected to the surface.
+/// The property property::axis of the mesh file, projected to the surface.
 struct AxisField {};
 
-/// Where a sheet's first material axis comes from. Its directions are those of the mesh before it is placed.
+/// Source of a sheet's first material axis. Directions are those of the mesh before it is placed.
 struct MaterialAxis {
     std::variant<AxisDirection, AxisTexture, AxisField> kind;
     std::string where;  ///< "FILE:LINE: dotted.key", for errors

@@ -21,23 +21,23 @@ struct GeneratedMesh {
                              ///< polygon
     double edge_length = 0;  ///< m
     bool structured = false;
-    double width = 0, height = 0, radius = 0;  ///< m, those that the shape has
+    double width = 0, height = 0, radius = 0;  ///< m, as far as the shape has them
     std::vector<Vector2d> profile;             ///< (r, z) in m, of a plate, bowl or revolution
     double foot = 0;                           ///< m, the radius out to which a plate is flat
-    double cap_degrees = 60;                   ///< of a bowl that is not given by its height
-    double angle = 360;                        ///< degrees, of a revolution: a sector if it is less
-    Polygon polygon;                           ///< of the shape of this name
+    double cap_degrees = 60;  ///< degrees, from the bottom to the rim of a bowl without a given height
+    double angle = 360;       ///< degrees, of a revolution: a sector if it is less
+    Polygon polygon;          ///< the shape "polygon"
 };
 
 /// A mesh from a file: `mesh = "bowl.obj"` or `mesh = { file = "bowl.obj", remesh = 0.005 }`.
 struct MeshFile {
-    std::filesystem::path path;  ///< as seen from the working directory
-    bool repair = true;          ///< mend what can only mean one thing; else it is an error
-    bool join = false;           ///< join duplicate points
-    double join_distance = 0;  ///< m; above 0, join points at the border that are so near to each other, too
-    double scale = 1;          ///< metres per unit of the file; with `size` what makes the mesh that large
+    std::filesystem::path path;  ///< relative to the working directory
+    bool repair = true;          ///< whether unambiguous defects are repaired; otherwise they are errors
+    bool join = false;           ///< whether duplicate points are joined
+    double join_distance = 0;  ///< m; if positive, points of the border within this distance are joined, too
+    double scale = 1;          ///< metres per unit of the file; follows from `size`, if given
     bool has_size = false;     ///< whether the scene says `scale` or `size`
-    std::optional<RemeshOptions> remesh;  ///< none: as it is
+    std::optional<RemeshOptions> remesh;  ///< none: the mesh of the file
 };
 
 /// A mesh of plain arrays, from a program.
@@ -47,14 +47,14 @@ struct GivenMesh {
 };
 using GivenMeshes = std::map<std::string, GivenMesh>;  ///< by name
 
-/// One of these: `mesh = { given = "bowl" }`. Without remesh its vertices and faces keep their numbers.
+/// A mesh that a program gives: `mesh = { given = "bowl" }`. Without remesh its vertices and faces keep their
+/// numbers.
 struct GivenMeshName {
     std::string name;
-    std::optional<RemeshOptions> remesh = {};  ///< none: as it is
+    std::optional<RemeshOptions> remesh = {};  ///< none: the given mesh
 };
 
-/// The most faces of a mesh that a scene may ask for. Where there are more, a mistyped edge length is more
-/// likely than a wish.
+/// Largest number of faces that a scene may ask for; more are most likely due to a mistyped edge length.
 inline constexpr double most_faces = 5e6;
 
 /// Returns the number of faces of an equilateral mesh of `area` (m^2) with edges of `edge_length` (m).

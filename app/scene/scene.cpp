@@ -6,7 +6,7 @@
 namespace sherd {
 namespace {
 
-/// Of output.every, that are over at the end of a step.
+/// Number of intervals of output.every that have ended at the end of a step.
 std::int64_t intervals(const Scene& scene, std::int64_t step) {
     return static_cast<std::int64_t>(
         std::floor(static_cast<double>(step) * scene.simulation.stepper.step / scene.frame_interval + 1e-6));

@@ -21,7 +21,7 @@ struct ScoreLine {
     std::vector<Eigen::Vector3d> points;
 };
 
-/// Where a sheet was scored, and what this does to its strength, or to its toughness.
+/// A scored line of a sheet, and its effect on strength or toughness.
 struct Score {
     std::variant<ScoreFile, ScoreLine> kind;
     double factor = 1;  ///< times the strength, or the toughness

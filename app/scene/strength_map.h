@@ -10,7 +10,7 @@
 
 namespace sherd {
 
-/// How strong, or how tough, a sheet is from place to place.
+/// Strength or toughness of a sheet from place to place.
 struct StrengthMap {
     MapSource source;
     /// The factors of the values 0 and 1, linear between them; values above 1 count as 1. Without them the

@@ -9,12 +9,12 @@
 
 namespace sherd {
 
-/// How thick a sheet is from place to place.
+/// Thickness of a sheet from place to place.
 struct ThicknessMap {
     MapSource source;
-    /// m, of the values 0 and 1, linear between them; values above 1 count as 1.
+    /// Thickness for the values 0 and 1, m, linear between them; values above 1 count as 1.
     std::optional<Eigen::Vector2d> range;
-    double scale = 1;   ///< m of a value of 1, without range
+    double scale = 1;   ///< m, thickness for the value 1, without range
     std::string where;  ///< "FILE:LINE: dotted.key", for errors
 };
 

@@ -13,7 +13,7 @@ class CoupledBending;
 
 /// The bending energy of hinges (paper, sections 3 and 4).
 enum class BendingModel {
-    coupled,     ///< hinges that know their neighbours, which converge: see CoupledBending
+    coupled,     ///< coupled hinges, which converge to plate theory: see CoupledBending
     cubic,       ///< cubic shell (CS), in equilibrium at rest: see cubic_hinge()
     cubic_2007,  ///< cubic shell as printed in the paper: see cubic_hinge_2007()
     nonlinear    ///< nonlinear hinge (NH)
@@ -23,8 +23,8 @@ enum class BendingModel {
 /// the solution, which only the energy determines. Coupled hinges always use their own.
 enum class BendingJacobian {
     constant,  ///< the constant Q of the cubic shell, the paper's CC
-    cubic,     ///< that of the cubic shell (appendix A), the paper's CS
-    nonlinear  ///< that of the nonlinear hinge, the paper's NH
+    cubic,     ///< Jacobian of the cubic shell (appendix A), the paper's CS
+    nonlinear  ///< Jacobian of the nonlinear hinge, the paper's NH
 };
 
 /// A pair of force model and Jacobian. The paper's are (NH, NH), (NH, CS), (NH, CC), (CS, CS) and (CS, CC).
@@ -36,19 +36,19 @@ struct BendingOptions {
 /// The Jacobian of the model's own force.
 BendingJacobian exact_jacobian(BendingModel model);
 
-/// Bending energy of all hinges of a shell, from its rest shape; of coupled hinges also that of mirrors,
-/// which have an energy of their own with the other models (MirrorEnergy). The shell must outlive it, and its
+/// Bending energy of all hinges of a shell, from its rest shape; with coupled hinges also of the mirrors,
+/// which have a separate energy with the other models (MirrorEnergy). The shell must outlive it, and its
 /// changes must be passed to topology_changed(). Curvature::exact gives the chosen Jacobian;
 /// Curvature::convex gives the positive semidefinite part of the nonlinear one and of that of coupled hinges,
 /// or the Q of the cubic hinge in equilibrium.
 std::unique_ptr<Energy> bending_energy(const Shell& shell, const BendingOptions& options = {},
                                        const std::vector<MirrorHinge>& mirrors = {});
 
-/// The cubic hinges (cubic_hinge()) that a bending energy has its forces from, one for each of the shell;
-/// null: it has none.
+/// The cubic hinges (cubic_hinge()) that give a bending energy its forces, one for each hinge of the shell;
+/// null if there are none.
 const std::vector<CubicHinge>* cubic_hinges(const Energy& bending);
 
-/// The coupled hinges of a bending energy; null: it has none.
+/// The coupled hinges of a bending energy; null if there are none.
 const CoupledBending* coupled_hinges(const Energy& bending);
 
 }  // namespace sherd

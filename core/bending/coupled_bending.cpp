@@ -219,7 +219,7 @@ void CoupledBending::add_hessian(const Positions& x, Curvature kind, BlockMatrix
         [&](BlockMatrix::Columns& columns, std::size_t i, const Rows& of_face) {
             columns.add_square(reached[i].vertices, of_face);
         });
-    // What the angles' own second derivatives add.
+    // Contribution of the second derivatives of the angles.
     if (kind == Curvature::exact) folds.add_hessian(x, moments(changes(x, some)), hessian, some);
 }
 

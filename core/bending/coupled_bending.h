@@ -8,40 +8,42 @@
 
 namespace sherd {
 
-/// The bending energy of coupled hinges: of each face, half its area times
+/// The bending energy of coupled hinges: for each face, half its area times
 ///     k^T D k,
 /// with the face's change of curvature k (FaceCurvature) and the plate's rigidity D: the membrane's
 /// elasticity times t^2 / 12. With the changes of all angles, this is 1/2 dtheta^T S dtheta with a constant
-/// S. Angles are true dihedral angles, so that the energy is invariant and in equilibrium at rest on any
-/// deformation; a change of angle is taken between -pi and pi. Clamps and symmetry planes are folds like
+/// S. Angles are true dihedral angles, so that rigid motions do not change the energy and the rest shape is
+/// an equilibrium; a change of angle is taken between -pi and pi. Clamps and symmetry planes are folds like
 /// others.
 class CoupledBending : public Energy {
   public:
     /// The shell must outlive this object.
     CoupledBending(const Shell& shell, const std::vector<MirrorHinge>& mirrors);
-    CoupledBending(const CoupledBending&) = delete;  // its parts refer to each other's shell and mirrors
-    /// Measures changes of angles from the shape x instead of the rest shape, and multiplies the energy.
+    CoupledBending(const CoupledBending&) = delete;  // members refer to each other
+    /// Measures changes of angles from the shape x instead of the rest shape, and multiplies the energy by
+    /// `scale`.
     void start_from(const Positions& x, double scale);
-    /// Faces keep what they are bent beyond yield (YieldingSection), from the shell's positions on.
+    /// Makes faces bend plastically beyond yield (YieldingSection), from the shell's positions on.
     /// yield_of_sheet: Pa; 0: never.
     void let_yield(std::vector<double> yield_of_sheet);
-    /// J, part of value(), that faces take by yielding in a step that ends at x.
+    /// Part of value() that yielding dissipates in a step that ends at x, J.
     double taken_by_yielding(const Positions& x) const;
-    /// A step ends at x: what faces keep is kept.
+    /// Must be called when a step ends at x: stores the plastic curvatures.
     void keep(const Positions& x);
 
     /// Changes of the angles of all folds, rad.
     VectorXd changes(const Positions& x) const { return changes(x, folds.present()); }
-    /// Change of curvature of each face, [3, F], 1/m: (00, 11, 2 * 01) in the face's rest frame, less what it
-    /// keeps of it.
+    /// Change of curvature of each face, [3, F], 1/m: (00, 11, 2 * 01) in the face's rest frame, less its
+    /// plastic curvature.
     Eigen::Matrix3Xd curvatures(const Positions& x) const;
-    /// What each face keeps in a step that ends at x, [3, F], 1/m.
+    /// Plastic curvature of each face in a step that ends at x, [3, F], 1/m.
     Eigen::Matrix3Xd kept_curvatures(const Positions& x) const;
 
     const Folds& all_folds() const { return folds; }
     double start_angle(Index fold) const { return start[fold]; }  ///< rad, from which changes are measured
     const FaceCurvature& face_curvature() const { return curvature; }
-    /// What a face's change of curvature costs, J m^2: twice the energy is k^T of this k.
+    /// Elastic stiffness of a face against changes k of its curvature, J m^2: twice the energy is k^T of this
+    /// k.
     Matrix3d rigidity(Index face) const {
         return rigidity_factor(face) * shell.triangles[face].membrane.elasticity;
     }
@@ -68,17 +70,18 @@ class CoupledBending : public Energy {
     /// The vertices on which the curvature of a face depends.
     struct Reach {
         std::vector<Index> vertices;               ///< ascending
-        std::vector<std::array<Index, 4>> places;  ///< among them, of each term's fold; -1: no vertex
+        std::vector<std::array<Index, 4>> places;  ///< indices of each term's fold in `vertices`; -1: none
     };
 
     Index faces() const { return static_cast<Index>(shell.triangles.size()); }
     const std::vector<Reach>& reach_of_faces() const;
     void forget_reach();
-    /// Of faces that have changed, and of those that reach vertices which a crack has split.
+    /// Clears the reach of faces that have changed, and of faces that depend on vertices that a crack has
+    /// split.
     void forget_reach(const ShellChange& change, std::span<const Index> changed);
     /// The present folds whose vertices are all in a matrix.
     std::vector<Index> present_in(const BlockMatrix& hessian) const;
-    /// How the curvature of a face, times the root of its rigidity, changes with the positions of the
+    /// Derivative of the curvature of a face, times the root of its stiffness, by the positions of the
     /// vertices in its reach, sqrt(J) / m.
     void find_slopes(Index face, const std::vector<Folds::Slope>& of_folds, const VectorXd& changes,
                      BlockMatrix::Columns::Rows& of_face) const;
@@ -97,7 +100,8 @@ class CoupledBending : public Energy {
         if (yields_at(face)) return shell.triangles[face].membrane.area * yielded(face, bent).moment;
         return rigidity_factor(face) * (shell.triangles[face].membrane.elasticity * bent);
     }
-    /// The second derivative, J m^2, positive definite. changes: of all folds; of use only where faces yield.
+    /// The second derivative of a face's energy by its curvature, J m^2, positive definite. changes: of all
+    /// folds, rad; used only where faces yield.
     Matrix3d stiffness(Index face, const VectorXd& changes) const;
     VectorXd moments(const VectorXd& changes) const;
 
@@ -107,9 +111,9 @@ class CoupledBending : public Energy {
     std::vector<Index> present;  ///< Folds::present()
     VectorXd start;              ///< angles of all folds, rad, from which changes are measured
     double scale = 1;
-    std::vector<double> yields;  ///< Pa, of each sheet; empty: nothing yields
-    std::vector<KeptBend> kept;  ///< [F], or none
-    /// Of each face, once a Hessian has asked for it; without vertices where it is not known.
+    std::vector<double> yields;  ///< Pa, yield stress of each sheet; empty: nothing yields
+    std::vector<KeptBend> kept;  ///< [F]; empty: nothing yields
+    /// Reach of each face, computed on demand; without vertices where it is outdated.
     mutable std::vector<Reach> reach;
     mutable bool reach_is_known = false;
     mutable std::vector<Folds::Slope> slopes;  ///< buffer, kept to save allocations

@@ -20,9 +20,9 @@ struct Damping {
     double mass = 0;       ///< 1/s; resists all motion, rigid motion included, as a viscous medium does
 };
 
-/// Stiffness-proportional damping in one implicit step: (coefficient / lag) times the elastic energy, of
-/// membranes and of coupled hinges, or with the paper's models of cubic ones, of a shell whose rest shape is
-/// the step's origin (StepContext). To second order this is Rayleigh's
+/// Stiffness-proportional damping in one implicit step: (coefficient / lag) times the elastic energy of the
+/// membrane and of coupled hinges (with the paper's models, cubic ones) of a shell whose rest shape is the
+/// step's origin (StepContext). To second order this is Rayleigh's
 ///     coefficient / (2 lag) (x - origin)^T K (x - origin),
 /// where K is the stiffness matrix at that shape without its stresses. An elastic energy exerts neither net
 /// force nor net torque in any shape, so that linear and angular momentum are conserved; x^T K x alone
@@ -32,7 +32,7 @@ class StiffnessDamping : public Energy {
     /// The shell must outlive this object. coefficient: s.
     StiffnessDamping(const Shell& shell, double coefficient, BendingModel model = BendingModel::cubic,
                      MembraneModel membrane = MembraneModel::constant_strain);
-    StiffnessDamping(const StiffnessDamping&) = delete;  // its energies refer to its triangles
+    StiffnessDamping(const StiffnessDamping&) = delete;  // the energies refer to `triangles`
     ~StiffnessDamping() override;
     void begin(const StepContext& step) override;
     void topology_changed(const ShellChange& change, const StepContext& step) override;
@@ -50,10 +50,10 @@ class StiffnessDamping : public Energy {
     const Shell& shell;
     double coefficient;
     std::vector<TriangleStencil> triangles;
-    std::unique_ptr<CoupledBending> coupled;  ///< of coupled hinges
-    std::unique_ptr<ArcMembrane> arcs;        ///< of the membrane with arcs
+    std::unique_ptr<CoupledBending> coupled;  ///< bending of coupled hinges; null: others
+    std::unique_ptr<ArcMembrane> arcs;        ///< membrane with arcs; null: constant strain
     std::unique_ptr<Energy> uncoupled, flat;
-    const Energy *bending = nullptr, *membrane = nullptr;  ///< whichever there is
+    const Energy *bending = nullptr, *membrane = nullptr;  ///< the two energies in use
 };
 
 /// Mass-proportional damping in one implicit step: coefficient / (2 lag) (x - origin)^T M (x - origin).

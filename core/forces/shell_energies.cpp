@@ -10,12 +10,12 @@
 namespace sherd {
 namespace {
 
-/// The mirrors that have an energy of their own: coupled hinges count theirs.
+/// Mirrors with an energy of their own: coupled hinges include theirs.
 std::vector<MirrorHinge> uncoupled_mirrors(const ShellEnergyOptions& options) {
     return options.bending.model == BendingModel::coupled ? std::vector<MirrorHinge>() : options.mirrors;
 }
 
-/// The bending energy if it keeps what is bent beyond yield; else null.
+/// Sets the yield stresses of the bending energy. Returns it if it yields; else null.
 CoupledBending* yielding_part(Energy& bending, const ShellEnergyOptions& options) {
     if (options.yields.empty()) return nullptr;
     auto* coupled = dynamic_cast<CoupledBending*>(&bending);

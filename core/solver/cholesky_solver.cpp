@@ -37,7 +37,7 @@ struct Cholmod<SuiteSparse_long> {
     static constexpr auto free_factor = cholmod_l_free_factor;
 };
 
-/// A BlockMatrix as CHOLMOD reads it, without a copy but for indices of another type.
+/// View of a BlockMatrix for CHOLMOD; only indices of another type are copied.
 template <class Integer>
 class CholmodMatrix {
   public:
@@ -47,7 +47,7 @@ class CholmodMatrix {
             rows.assign(matrix.rows().begin(), matrix.rows().end());
         }
     }
-    /// matrix: of the pattern that was set.
+    /// matrix: with the pattern of set_pattern().
     cholmod_sparse view(const BlockMatrix& matrix) const {
         cholmod_sparse sparse{};
         sparse.nrow = sparse.ncol = static_cast<std::size_t>(matrix.size());
@@ -72,7 +72,7 @@ class CholmodMatrix {
     std::vector<Integer> columns, rows;
 };
 
-/// Operations of a factorization that take as long as an entry in a solution.
+/// Number of operations of a factorization that take as long as one entry of the factor in a solution.
 constexpr double operations_per_entry = 30;
 
 /// The order of the unknowns when vertices are eliminated in this order.
@@ -103,8 +103,8 @@ class CholmodFactor {
     }
     CholmodFactor(const CholmodFactor&) = delete;
 
-    /// order: of elimination, of the vertices. Returns false where the factor has more entries than indices can
-    /// count.
+    /// order: elimination order of the vertices. Returns false if the factor has more entries than indices
+    /// can count.
     bool analyze(const BlockMatrix& matrix, const std::vector<Index>& order);
     bool factorize(const BlockMatrix& matrix);
     VectorXd solve(const VectorXd& right_side);
@@ -185,8 +185,8 @@ class CholeskySolver : public LinearSolver {
   private:
     bool supernodal;
     Indices indices;
-    std::vector<Index> of_vertices;  ///< the order in which they are eliminated
-    // One of these:
+    std::vector<Index> of_vertices;  ///< elimination order of the vertices
+    // The factor is one of these:
     std::optional<CholmodFactor<int>> narrow;
     std::optional<CholmodFactor<SuiteSparse_long>> wide;
 };

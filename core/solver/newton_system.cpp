@@ -10,15 +10,15 @@
 namespace sherd {
 namespace {
 
-/// Shares of the way from the exact Hessian to the convex one that are tried when the exact one is not
-/// positive definite. For a sheet that buckles the exact one is nearly definite, and the convex one, without
-/// any compression, is so much stiffer that iterations progress slowly.
+/// Weights of the convex Hessian, blended with the exact one, that are tried until the matrix is positive
+/// definite. For a sheet that buckles the exact one is nearly definite, and the convex one, without any
+/// compression, is so much stiffer that iterations progress slowly.
 constexpr std::array shares_of_convex{0.0, 0.25, 1.0};
 constexpr int longest_wait = 16;
-/// A pattern is made anew when fewer than this share of the contacts are left that it was made with, and they
-/// were more than this share of its rows.
+/// A pattern is rebuilt if fewer than the share `few_left` of its contacts remain, and they were more than
+/// the share `many_pairs` of its rows.
 constexpr double few_left = 0.5, many_pairs = 0.02;
-/// What a factorization in an order that is kept may cost, times what it did when it was looked for.
+/// Largest cost of a factorization in a kept elimination order, over its cost when the order was chosen.
 constexpr double most_growth = 1.1;
 
 }  // namespace
@@ -91,7 +91,7 @@ void NewtonSystem::factorize(const Potential& potential, const Positions& x) {
         const bool is_exact = !first && shares_of_convex[share - 1] == 0;
         if (!has_factor(potential, x, share, is_exact)) continue;
         if (first && lowers) wait = 1;
-        if (!first) {  // what was tried too early costs a factorization: wait longer the next time
+        if (!first) {  // an early attempt wastes a factorization: wait longer the next time
             wait = std::min(2 * wait, longest_wait);
             tried = 0;
         }

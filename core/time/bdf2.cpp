@@ -49,7 +49,7 @@ BodyOrigin Bdf2::origin_of(const RigidBody& body, std::size_t number, double len
         velocity += weights.before_last * (body.velocity - then.velocity);
         origin.angular_momentum += weights.before_last * (body.angular_momentum - then.angular_momentum);
     }
-    // The spin at the step's end: that at its beginning, with the axes there, would be of first order.
+    // Spin at the step's end: the spin at its beginning would be of first order only.
     RigidBody ahead = body;
     ahead.rotation = turned(length * body.spin()) * body.rotation;
     ahead.angular_momentum = origin.angular_momentum;

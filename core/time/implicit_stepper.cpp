@@ -43,10 +43,10 @@ ImplicitStepper::ImplicitStepper(Shell& shell, const StepperOptions& options, St
 }
 
 void ImplicitStepper::visit_state(StateVisitor& visit) {
-    static_assert(has_only<ImplicitStepper, Stepper, decltype(step), decltype(scheme), decltype(inertia),
-                           decltype(loads), decltype(threads), decltype(elastic), decltype(contact),
-                           decltype(opening), decltype(potential), decltype(minimiser), decltype(path),
-                           decltype(unbalanced)>());
+    static_assert(
+        has_only<ImplicitStepper, Stepper, decltype(step), decltype(scheme), decltype(inertia),
+                 decltype(loads), decltype(threads), decltype(elastic), decltype(contact), decltype(opening),
+                 decltype(potential), decltype(minimiser), decltype(path), decltype(unbalanced)>());
     Stepper::visit_state(visit);
     visit(step, *scheme, inertia, elastic, contact, opening, *minimiser, unbalanced);
     if (path) visit(*path);
@@ -61,7 +61,8 @@ std::vector<Energy*> ImplicitStepper::all_energies() {
 
 bool ImplicitStepper::begin(double length) {
     step = scheme->begin(shell, contact.bodies(), time, length);
-    // Inertia is the stiffer the shorter the step, and makes more of what is left of the way.
+    // The shorter the step, the stiffer is inertia, and the larger the force that an error of the positions
+    // leaves.
     const double shorter = step.inertia > 0 ? std::min(1.0, length / options.step) : 1;
     minimiser->set_tolerance(options.tolerance * shorter);
     if (path) path->begin(length, step);
@@ -78,8 +79,8 @@ bool ImplicitStepper::predict() {
     const Positions motion = inertia.predicted() - shell.position;
     position = inertia.predicted();
     if (free_way(motion) == 1) return true;
-    // Scripted vertices and obstacles have to arrive, so they move first, if necessary together with what
-    // they push. The other vertices follow as far as there is room.
+    // Vertices and obstacles with prescribed motion have to arrive, so they move first, if necessary together
+    // with the vertices that they push. The others follow until contact stops them.
     const Positions scripted = scripted_part(shell, motion);
     for (const bool along : {false, true}) {
         const Positions first = along ? scripted + pushed_along() : scripted;
@@ -118,7 +119,7 @@ MinimiserResult ImplicitStepper::solve(int max_iterations) {
         result = path ? path->solve(potential, loads, step, max_iterations, position)
                       : minimiser->minimise(potential, max_iterations, position);
     } catch (const IndefiniteMatrix&) {
-        // Inertia of a shorter step may be what the matrix lacks.
+        // With the inertia of a shorter step the matrix may be positive definite.
     }
     if (result.converged && !contact.empty()) {
         const Stopwatch of_contact(spent, Task::contact);
@@ -173,7 +174,8 @@ void ImplicitStepper::finish() {
 std::vector<Reaction> ImplicitStepper::reactions() const {
     std::vector<Reaction> all(options.supports);
     if (options.supports > 0) {
-        // The inertial prediction is where supports leave it, so that inertia has no force against them.
+        // The inertial prediction satisfies the supports, so that inertia has no force against them in the
+        // potential.
         Positions blocked = potential.gradient_with_blocked(position);
         if (step.inertia > 0) {  // else weight is one of the loads
             Positions acceleration = step.acceleration(position);

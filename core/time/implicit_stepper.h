@@ -15,7 +15,7 @@ namespace sherd {
 
 /// Each step ends at the minimum of a potential, or at an equilibrium. `position` begins a step at the
 /// inertial prediction, or at the part of the way there that is free of contact; a step is too long if
-/// scripted vertices or obstacles cannot reach their places at its end.
+/// vertices or obstacles with prescribed motion cannot reach their places at its end.
 class ImplicitStepper : public Stepper {
   public:
     /// The shell must outlive this object.
@@ -44,36 +44,37 @@ class ImplicitStepper : public Stepper {
 
   private:
     double stored_in_contact() const override { return contact.stored_energy(position); }
-    /// Takes what is unbalanced now, and returns by how much that is more, N, [3, V]. heirs: vertices that
-    /// have been born since the last time.
+    /// Stores the unbalanced forces, and returns their increase since the last call, N, [3, V]. heirs:
+    /// vertices inserted since then.
     Positions newly_unbalanced(std::span<const Heir> heirs);
     std::vector<Energy*> all_energies();
     void require_apart();
-    /// Moves `position` towards the prediction; returns false if scripted vertices or obstacles do not
-    /// arrive.
+    /// Moves `position` towards the prediction; returns false if vertices or obstacles with prescribed motion
+    /// do not arrive.
     bool predict();
     /// Fraction, 0 to 1, of a motion from the beginning of the step that passes through nothing.
     double free_way(const Positions& motion);
     /// Displacement in the step, m, [3, V], by which moving obstacles push the vertices near them.
     Positions pushed_along() const;
-    /// Of the step that ends at `position`, when the bodies have made it and the shell has not.
+    /// Work of the step that ends at `position`, when the bodies have finished it and the shell has not.
     StepWork work();
-    /// Enters inertia and weight, and what the scheme takes of their work; adds their gradient.
+    /// Adds inertia and weight to the gradient, and sets the energy that the scheme dissipates in the
+    /// balance.
     void add_inertia(EnergyBalance& balance, Positions& gradient) const;
 
     StepContext step;  ///< the open step, or the last one
     std::unique_ptr<TimeScheme> scheme;
     Inertia inertia;
-    std::vector<Energy*> loads;  ///< of `forces`
+    std::vector<Energy*> loads;  ///< ShellEnergies::loads()
     Threads threads;
     ElasticEnergy elastic;
     Contact contact;
     ReleasedEdges opening;
     Potential potential;
     std::unique_ptr<Minimiser> minimiser;
-    std::optional<EquilibriumPath> path;  ///< instead of the minimiser
-    /// What changes of the shell since the last solution have left unbalanced, N/kg, [3, V]; no columns:
-    /// there were none.
+    std::optional<EquilibriumPath> path;  ///< used instead of the minimiser, if there is one
+    /// Forces over mass, N/kg, [3, V], that changes of the shell since the last solution have left
+    /// unbalanced; no columns: no changes.
     Positions unbalanced;
 };
 

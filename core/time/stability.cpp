@@ -19,14 +19,14 @@ namespace {
 
 constexpr double growth_time = 0.1;  // s
 
-/// Whether a sheet has the least energy at rest whatever it is made of: its energy is a sum of squares that
-/// are zero there.
+/// Whether the rest shape has the least energy for any material: the energy is a sum of squares that vanish
+/// there.
 bool is_least_at_rest(BendingModel model) {
     return model == BendingModel::coupled || model == BendingModel::nonlinear;
 }
 
-/// The part of its own that each cubic hinge of a curved sheet has of the stiffness at rest: its own, and
-/// shares of its triangles' and of the inertia of its vertices.
+/// Parts of the stiffness at rest, one for each cubic hinge of a curved sheet: the stiffness of the hinge,
+/// and shares of the stiffness of its triangles and of the inertia of its vertices.
 class HingeParts {
   public:
     explicit HingeParts(const Shell& shell)
@@ -51,8 +51,8 @@ class HingeParts {
     CubicHinges hinges;
     MembraneElements membrane;
     std::vector<Index> curved;                       ///< hinges with a cubic part
-    std::vector<std::array<TriangleEdge, 2>> sides;  ///< of each of these
-    std::vector<int> around_face, around_vertex;     ///< of these, at each face and vertex
+    std::vector<std::array<TriangleEdge, 2>> sides;  ///< sides of each of the curved hinges
+    std::vector<int> around_face, around_vertex;     ///< number of curved hinges at each face and vertex
 };
 
 HingeHessian HingeParts::stiffness(std::size_t part) const {
@@ -75,8 +75,8 @@ HingeHessian HingeParts::stiffness(std::size_t part) const {
     return sum;
 }
 
-/// Whether the stiffness at rest is a sum of parts that are positive definite each: flat hinges are by
-/// themselves, and curved ones where the membrane next to them outweighs them.
+/// Whether the stiffness at rest is a sum of positive definite parts: flat hinges always are, and curved ones
+/// where the adjacent membrane outweighs them.
 bool parts_are_stable(const Shell& shell) {
     const HingeParts parts(shell);
     for (std::size_t i = 0; i < parts.size(); ++i)

@@ -15,18 +15,18 @@
 namespace sherd {
 
 enum class Scheme { implicit_euler, bdf2, statics, explicit_differences };
-/// How an implicit step finds its minimum.
+/// Method by which an implicit step finds its minimum.
 enum class Method { quasi_newton, newton };
 
 struct StepperOptions {
     Scheme scheme = Scheme::implicit_euler;
     Method method = Method::quasi_newton;
-    double step = 1e-4;             ///< s; in statics, of load factor
+    double step = 1e-4;             ///< s; in statics, load factor
     Vector3d gravity{0, 0, -9.81};  ///< m/s^2
     double tolerance = 1e-9;        ///< m, largest coordinate of the minimiser's last correction
     Index supports = 0;             ///< number of pins, clamps and symmetry planes in Shell::holds
-    /// In statics: find the load factor, too, and end at last_load (EquilibriumPath). Else the load factor is
-    /// the time.
+    /// Whether statics follow an equilibrium path with an unknown load factor, to last_load
+    /// (EquilibriumPath); otherwise the load factor is the time.
     bool arc_length = false;
     double last_load = 1;
     int threads = 1;  ///< at most; results do not depend on them
@@ -41,7 +41,7 @@ struct PotentialEnergies {
     double stored() const { return bending + membrane + contact; }
 };
 
-/// What steppers have of a run, whatever the scheme.
+/// State of a run that does not depend on the scheme.
 struct StepperStart {
     ShellEnergies forces;
     EnergyLedger ledger = {};
@@ -57,7 +57,7 @@ class Stepper {
     Stepper(const Stepper&) = delete;  // the energies refer to the shell
 
     /// Starts a step of StepperOptions::step, or of `length` s, from the shell's positions and velocities. An
-    /// open step is discarded. Returns false if it is too long for what moves as it is told. Throws
+    /// open step is discarded. Returns false if the step is too long for prescribed motions. Throws
     /// std::runtime_error if sheets overlap.
     bool begin() { return begin(options.step); }
     virtual bool begin(double length) = 0;
@@ -65,31 +65,31 @@ class Stepper {
     virtual MinimiserResult solve(int max_iterations) = 0;
     /// Whether a change of the shell changes the end of the open step.
     virtual bool solves_again() const = 0;
-    /// Must be called when the shell has other vertices, triangles, hinges or lips. New and moved vertices
-    /// are placed where their parents are.
+    /// Must be called when the shell has other vertices, triangles, hinges or crack faces (lips). New and
+    /// moved vertices are placed where their parents are.
     virtual void topology_changed(const ShellChange& change) = 0;
-    /// Forces that act from the next step on: see ShellEnergies::give().
+    /// Sets the forces, N, [3, V], that act from the next step on: see ShellEnergies::give().
     void give_forces(const Positions& force) { forces.give(force); }
     /// Ends the step: the shell gets `position` as positions, and new velocities.
     virtual void finish() = 0;
 
-    /// Share of what held an edge together that still does: see ShellChange::opening.
+    /// Share of the cohesive force that still acts on an edge: see ShellChange::opening.
     virtual double held(Index /*edge*/) const { return 0; }
 
-    /// The triangle whose own vibration asks for the shortest substeps of the last step; none where contact
-    /// does, and where there are no substeps.
+    /// The triangle whose vibration limits the substeps of the last step; none where contact does, and where
+    /// there are no substeps.
     virtual std::optional<Index> fastest_triangle() const { return std::nullopt; }
 
     Scheme scheme() const { return options.scheme; }
-    /// J, that the time scheme takes in the open step, which has been solved.
+    /// Energy that the time scheme dissipates in the open step, which must have been solved, J.
     virtual double taken_by_scheme() = 0;
-    /// The factor of all loads in the open step, or in the last one: 1, but in statics.
+    /// Factor of all loads in the open step, or in the last one: 1, except in statics.
     virtual double load() const { return 1; }
     /// Whether an equilibrium path has arrived at StepperOptions::last_load.
     virtual bool arrived() const { return false; }
     PotentialEnergies energies() const;                                ///< at `position`
-    const EnergyBalance& balance() const { return ledger.balance(); }  ///< of the finished steps
-    /// Those of ShellEnergies at `position`.
+    const EnergyBalance& balance() const { return ledger.balance(); }  ///< sum over the finished steps
+    /// Curvatures and strains of ShellEnergies at `position`.
     std::optional<Eigen::Matrix3Xd> coupled_curvatures() const { return forces.coupled_curvatures(position); }
     std::optional<Eigen::Matrix3Xd> kept_curvatures() const { return forces.kept_curvatures(position); }
     Eigen::Matrix3Xd face_curvatures() const { return forces.face_curvatures(position); }
@@ -98,16 +98,16 @@ class Stepper {
     const CoupledBending* coupled_bending() const { return forces.coupled_bending(); }
     /// Derivative of the elastic energy at `position`, N, [3, V].
     Positions elastic_gradient();
-    virtual Positions lip_forces() const = 0;  ///< N, [3, V], that the lips of cracks exert at `position`
-    /// Those of the supports, then those of the obstacles, at `position` in the open step. A support's force
-    /// on a vertex is mass times acceleration less all other forces, in the directions in which it holds the
+    virtual Positions lip_forces() const = 0;  ///< N, [3, V], contact forces of crack faces at `position`
+    /// Reactions of the supports, then of the obstacles, at `position` in the open step. A support's force on
+    /// a vertex is mass times acceleration less all other forces, in the directions in which it holds the
     /// vertex; clamps and symmetry planes exert the forces of their mirror hinges, too.
     virtual std::vector<Reaction> reactions() const = 0;
-    virtual Touch touch() const = 0;         ///< with obstacles and bodies
-    virtual double lip_overlap() const = 0;  ///< m
+    virtual Touch touch() const = 0;         ///< contact with obstacles and bodies
+    virtual double lip_overlap() const = 0;  ///< m, largest overlap of crack faces
     /// The bodies at the end of the last finished step.
     virtual const std::vector<RigidBody>& bodies() const = 0;
-    /// Which surfaces of bodies do not see what they meet, then: see surface_pairs().
+    /// Whether each surface pair is exempt at the end of the last finished step: see surface_pairs().
     virtual std::vector<char> crossed() const = 0;
 
     virtual void visit_state(StateVisitor& visit) {
@@ -115,7 +115,7 @@ class Stepper {
         visit(position, forces, ledger, time);
     }
 
-    /// Where the computing time of the step is booked; callers may book theirs on it, too.
+    /// Account of the computing time, on which callers may book theirs, too.
     TimeSpent& time_spent() { return spent; }
     const TimeSpent& time_spent() const { return spent; }
 
@@ -124,24 +124,26 @@ class Stepper {
   protected:
     /// The shell must outlive this object.
     Stepper(Shell& shell, const StepperOptions& options, StepperStart start);
-    /// Takes back what an open step has changed beyond `position`, if anything.
+    /// Reverts what an open step has changed besides `position`.
     virtual void discard() {}
-    virtual double stored_in_contact() const = 0;  ///< J, elastic, at `position`
-    /// Clamps and symmetry planes, too, stand where they are when the step begins.
+    virtual double stored_in_contact() const = 0;  ///< J, elastic energy of contact at `position`
+    /// Places clamps and symmetry planes where they are when the step begins.
     void place_clamps_at_start(StepContext step);
-    /// J, of the shell's elasticity at its own positions, with clamps where they are when the step begins.
+    /// Elastic energy of the shell at its own positions, with clamps where they are when the step begins, J.
     double elastic_at_start(const StepContext& step);
-    /// Of elasticity and contact at `position`, without gravity.
+    /// Energies of elasticity and contact at `position`, without gravity.
     virtual PotentialEnergies elastic_energies() const {
         return {forces.bending_value(position), forces.membrane_value(position), 0, stored_in_contact()};
     }
     double stored() const { return elastic_energies().stored(); }  ///< J
-    /// J, of gravity when the shell is at x; zero at the origin, and in statics, where weight is a load.
+    /// Potential energy of gravity with the shell at x, J; zero at the origin, and in statics, where weight
+    /// is a load.
     double weight(const Positions& x) const;
-    /// J, of the shell at this velocity (m/s) and of the bodies, and of gravity at x.
+    /// Moving energy, J: kinetic energy of the shell at this velocity (m/s) and of the bodies, and that of
+    /// gravity at x.
     double moving(const Positions& velocity, const Positions& x) const;
 
-    mutable TimeSpent spent;  // of questions, too
+    mutable TimeSpent spent;  // const functions book their time, too
     Shell& shell;
     StepperOptions options;
     ShellEnergies forces;
@@ -156,8 +158,8 @@ class Stepper {
 StepperStart stepper_start(const Shell& shell, const StepperOptions& options);
 /// The stepper of the options' scheme. The shell must outlive it.
 std::unique_ptr<Stepper> make_stepper(Shell& shell, const StepperOptions& options);
-/// One of another scheme, that goes on where a stepper has finished its last step; an open one is discarded.
-/// Edges that open are forgotten: nothing holds them any more. barriers_follow: see ContactOptions.
+/// A stepper of another scheme that continues from the last finished step of `before`; an open step is
+/// discarded. Cohesive forces of opening edges end. barriers_follow: see ContactOptions.
 std::unique_ptr<Stepper> with_scheme(std::unique_ptr<Stepper> before, Scheme scheme,
                                      bool barriers_follow = false);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a run in which nothing broke says about the threshold that would break it.
+// Peaks of a run without fracture, and the thresholds at which it would have fractured.
 #include "app/peak_table.h"
 
 #include <gtest/gtest.h>
@@ -54,7 +54,7 @@ TEST(PeakTable, CountsHingesOverThresholds) {
     EXPECT_NE(table.find("of its 1000 hinges over 900: 100\n"), std::string::npos) << table;
 }
 
-/// A stoneware disc on its edge, for some steps.
+/// Some steps of a stoneware disc that falls onto a floor at an angle.
 struct Dropped {
     Scene scene;
     RunTotals totals;
@@ -103,7 +103,7 @@ TEST(PeakTable, CountsWhatEachHingeMakesOfTheThreshold) {
               "bending strain, 1/m");
 }
 
-// A tempered surface breaks over its strength and its compression: the table is of the strength.
+// A tempered surface breaks above the sum of its strength and its compression: the table is of the strength.
 TEST(PeakTable, LeavesOutTheCompressionOfATemperedSurface) {
     const std::string tough = "[sheet.disc.fracture]\nstrength = 1e12\ntoughness = 1e6\n";
     const Dropped plain(tough), tempered("material.tempered = 1e5\n" + tough);
@@ -135,7 +135,7 @@ TEST(RunSummary, TellsPeaksWhenNothingBrokeAndWhatNothingTouched) {
     for (const char* part : {"\npeaks of hinges", "\n  plate stress, Pa", "\n  plate strain, 1/m",
                              "\nnothing touched       obstacle.ceiling, obstacle.ball\n"})
         EXPECT_NE(whole.out.find(part), std::string::npos) << part << "\n" << whole.out;
-    // Two triangles, the hinge between them 0 strong: it breaks in the first step, whatever the machine.
+    // Two triangles with a hinge of hardly any strength, which breaks in the first step on any machine.
     directory.write("square.obj", "v 0 0 0\nv 0.1 0 0\nv 0.1 0.1 0\nv 0 0.1 0\nf 1 2 3\nf 1 3 4\n");
     directory.write("scene.toml", R"(duration = 0.001
 [sheet.square]
@@ -151,8 +151,7 @@ fracture = { strain = 1e-12 }
     EXPECT_EQ(broken.out.find("nothing touched"), std::string::npos) << broken.out;
 }
 
-// Whether steel keeps its dent, or springs back because of how the scene is solved: who sees the picture must
-// be told.
+// The summary must tell whether steel keeps its dent, or springs back because of the solver's options.
 TEST(RunSummary, TellsWhereAMaterialIsBeyondItsYieldStress) {
     const TemporaryDirectory directory;
     directory.write("scene.toml", R"(duration = 1e-4

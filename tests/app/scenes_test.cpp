@@ -206,7 +206,7 @@ std::string name_of(const testing::TestParamInfo<ShippedScene>& scene) {
     return scene.param.name;
 }
 
-// The first part of the longer ones, or coarser ones: tests/benchmarks/contact_table.py runs them whole.
+// Long scenes are shortened, or have coarser meshes: tests/benchmarks/contact_table.py runs them whole.
 INSTANTIATE_TEST_SUITE_P(Breaking, WholeScene,
                          testing::Values(ShippedScene{"plate_drop"},
                                          ShippedScene{"bowl_on_anvil", "0.008", "0.008"}),

@@ -64,7 +64,7 @@ TEST_P(DampingOf, EveryModeDecaysAtTheRateOfTheTwoCoefficients) {
     }
 }
 
-// Newton's method would not converge, or to something else.
+// With wrong derivatives Newton's method would not converge, or to another solution.
 TEST(Damping, GradientAndHessianAreDerivatives) {
     Shell shell = test::tetrahedron(test::thick_foam);
     test::Random random(1);
@@ -97,12 +97,13 @@ TEST(Damping, StiffnessDampingHasNoNetForceNorTorque) {
     EXPECT_GT(force.norm(), 0);
     EXPECT_LT(force.rowwise().sum().norm(), 1e-12 * force.norm());
     EXPECT_LT(torque.norm(), 1e-12 * force.norm());
-    // A rigid rotation during the step costs nothing.
+    // A rigid rotation during the step has no energy.
     const Positions turned = random.rotation() * shell.position;
     EXPECT_LT(damping.value(turned), 1e-10 * damping.value(x));
 }
 
-// Spinning, vibrating, damped: no linear momentum appears, and vibration dies while rotation goes on.
+// A sheet that spins and vibrates with damping: linear momentum is conserved, and vibration decays while
+// rotation continues.
 TEST(Damping, StiffnessDampingKeepsLinearMomentumAndRotation) {
     Shell shell = test::tetrahedron(test::thick_foam);
     const Vector3d spin(1, 2, -1);
@@ -136,7 +137,7 @@ TEST(Damping, MassDampingSlowsFreeFlight) {
     }
 }
 
-// However strong it is: the last correction of a step, which keeps momentum, knows what damping takes of it.
+// The last correction of a step, which conserves momentum, must account for mass damping of any strength.
 TEST(Damping, StrongMassDampingLeavesTheSpeedAtWhichItBearsTheWeight) {
     Shell shell = test::two_triangles(test::thick_foam);
     shell.velocity.colwise() = Vector3d(0, 0, -3);

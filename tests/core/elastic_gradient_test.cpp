@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Batches beside the energies that they stand for: steps would bend and stretch another sheet.
+// Batches must have the gradient of the energies that they replace.
 #include "core/batches/elastic_gradient.h"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ void expect_same(const Shell& shell, const ShellEnergyOptions& options, double a
         << " mirrors";
 }
 
-// Small angles and large ones, flat and curved, free and held.
+// Flat and curved sheets, small and large angles, with and without mirrors.
 TEST(ElasticGradient, IsThatOfTheEnergiesWithEachModel) {
     Shell flat = test::flat_patch(), curved = curved_sheet();
     flat.face_sheet.assign(flat.triangles.size(), 0);
@@ -54,7 +54,7 @@ TEST(ElasticGradient, IsThatOfTheEnergiesWithEachModel) {
             }
 }
 
-// Of what an open edge leaves, too: its sides are free then, and shares go elsewhere.
+// Batches must follow an edge that opens: its sides are free then, and shares change.
 TEST(ElasticGradient, FollowsAnEdgeThatOpens) {
     for (const ShellEnergyOptions& options : all_models) {
         Shell shell = curved_sheet();
@@ -72,7 +72,7 @@ TEST(ElasticGradient, FollowsAnEdgeThatOpens) {
     }
 }
 
-// Steps would go on with the forces of an edge that is gone, or without what the energies know of a step.
+// Otherwise steps would continue with the forces of a hinge that has been removed.
 TEST(ElasticEnergy, FollowsItsPartsWhenAnEdgeOpens) {
     for (const ShellEnergyOptions& options : all_models) {
         Shell shell = curved_sheet();
@@ -97,7 +97,7 @@ TEST(ElasticEnergy, FollowsItsPartsWhenAnEdgeOpens) {
     }
 }
 
-// Else a run would depend on the machine's cores.
+// Otherwise a run would depend on the number of the machine's cores.
 TEST(ElasticGradient, HasTheSameBitsWithAnyNumberOfThreads) {
     const Shell shell = test::stacked_plates(2, 40, 0.1, test::glass);
     for (const ShellEnergyOptions& options : {all_models[0], all_models[1]}) {

@@ -25,8 +25,8 @@ void advance(ImplicitStepper& time_step, double seconds, double step) {
     }
 }
 
-// Fragments that have come to rest stay where they are, however long one looks: a stack on the floor drifts
-// by less than a millionth of its size in 10 s, and each plate and the floor bear what lies on them to 1 %.
+// Fragments at rest must stay at rest: a stack on the floor drifts by less than a millionth of its size in 10
+// s, and each plate and the floor bear the weight above them to 1 %.
 TEST(RestingStack, StaysAtRest) {
     Shell shell = test::stacked_plates(plates, 3, 1.001 * test::ceramic.thickness, test::ceramic);
     shell.position.row(2).array() += 0.5001 * test::ceramic.thickness;
@@ -36,7 +36,7 @@ TEST(RestingStack, StaysAtRest) {
     options.contact.obstacles = {floor};
     options.contact.sheets = true;
     options.contact.friction = 0.3;
-    options.tolerance = 2e-10;  // a hundredth of what the plates sink into each other
+    options.tolerance = 2e-10;  // a hundredth of the overlap of the plates
     ImplicitStepper time_step(shell, options);
     advance(time_step, settling, options.step);
     const Positions before = shell.position;
@@ -58,7 +58,7 @@ TEST(RestingStack, StaysAtRest) {
     }
 }
 
-/// How far plates that lie on each other move in `rest` on a slope of 10 degrees (m).
+/// Largest displacement, m, in `rest` of plates that lie on each other on a slope of 10 degrees.
 double creep(Scheme scheme) {
     Shell shell = test::stacked_plates(plates, 2, 1.001 * test::ceramic.thickness, test::ceramic);
     shell.position.row(2).array() += 0.5001 * test::ceramic.thickness;
@@ -79,7 +79,7 @@ double creep(Scheme scheme) {
     return (shell.position - before).colwise().norm().maxCoeff();
 }
 
-// What lies on a slope that friction can hold does not creep. BDF2 hardly damps how it swings to rest.
+// A stack on a slope does not creep if friction can hold it. BDF2 hardly damps its vibration.
 TEST(RestingStack, StaysOnASlope) {
     EXPECT_LT(creep(Scheme::implicit_euler), 1e-6 * 0.1);
     EXPECT_LT(creep(Scheme::bdf2), 1e-5 * 0.1);

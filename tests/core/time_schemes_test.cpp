@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// BDF2 beside motions that are known: with a wrong weight, or a history that does not follow what changes, it
+// BDF2 against known motions: with a wrong weight, or a history that does not follow changes of the shell, it
 // would be of first order, or drift.
 
 #include <gtest/gtest.h>
@@ -30,8 +30,8 @@ void advance_by(ImplicitStepper& stepper, double length) {
     stepper.finish();
 }
 
-/// A lone vertex thrown in a medium that resists, x' = u exp(-c t): where it is off after 0.1 s, m. The steps
-/// are `uneven` times as long, and as short, as their mean by turns.
+/// Error, m, of the position of a lone vertex after 0.1 s in a resisting medium, x' = u exp(-c t). Long and
+/// short steps alternate, with the ratio `uneven`.
 double miss_in_a_medium(int steps, double uneven) {
     Shell shell = lone_vertex(Vector3d::Zero());
     shell.velocity.col(0) = Vector3d(2, 0, 0);
@@ -57,8 +57,7 @@ TEST(Bdf2, IsOfSecondOrderWithStepsOfAnyLength) {
     }
 }
 
-/// The rotation of a thrown brick after 0.05 s, in which it tumbles, and what it has lost of its angular
-/// momentum.
+/// Rotation of a tumbling brick after 0.05 s, and the relative change of its angular momentum.
 std::pair<Matrix3d, double> tumbled(int steps) {
     Shell shell = lone_vertex({1, 0, 0});
     RigidBody brick = rigid_box({0.05, 0.03, 0.01}, 2000);
@@ -72,7 +71,7 @@ std::pair<Matrix3d, double> tumbled(int steps) {
             (end.angular_momentum - brick.angular_momentum).norm() / brick.angular_momentum.norm()};
 }
 
-// The spin of a body that is longer than wide changes as it turns, though nothing acts on it.
+// The spin of a body with different moments of inertia changes without torque.
 TEST(Bdf2, BodiesTumbleAtSecondOrder) {
     const auto [truth, none] = tumbled(3200);
     const auto [once, lost] = tumbled(200);
@@ -83,8 +82,7 @@ TEST(Bdf2, BodiesTumbleAtSecondOrder) {
     EXPECT_LT(lost, 1e-12);
 }
 
-// A vertex that a crack doubles, and one that is put elsewhere in the sheet, have a past, too: what flies
-// straight on must do so.
+// A vertex that a crack splits has a copy with the same history: uniform motion must remain uniform.
 TEST(Bdf2, WhatIsBornHasThePastOfItsParents) {
     Shell shell = stacked_plates(1, 3, 0, {1000, 0.01, 1e8, 0.2});
     shell.velocity.colwise() = Vector3d(3, -1, 2);
@@ -133,7 +131,7 @@ class Bdf2Flight : public testing::Test {
     EnergyBalance balance;
 };
 
-// What a scheme takes has a formula; were it another one's, the balance would lack it.
+// Numerical dissipation has a formula for each scheme; a wrong one would leave an energy residual.
 TEST_F(Bdf2Flight, TheBalanceExplainsIt) {
     EXPECT_LT(std::abs(balance.unexplained), 1e-9 * start);
     EXPECT_NEAR(end, start - balance.lost_to_scheme, 1e-9 * start);

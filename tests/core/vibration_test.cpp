@@ -21,7 +21,7 @@ Shell plate(int count) {
     return test::stacked_plates(1, count, 0, test::ceramic);
 }
 
-/// The second derivative of what vibrates, with the rows of what is blocked being those of the identity.
+/// Stiffness of a shell with its loads. Rows of blocked coordinates are those of the identity.
 MatrixXd stiffness_of(const Shell& shell, const ShellEnergyOptions& options) {
     ShellEnergies energies(shell, options);
     std::vector<Energy*> all = energies.elastic();
@@ -47,7 +47,8 @@ VectorXd dense_eigenvalues(const Shell& shell, const ShellEnergyOptions& options
     return Eigen::SelfAdjointEigenSolver<MatrixXd>(scaled).eigenvalues();
 }
 
-/// Held at one corner, sliding in planes across x and y at two others, under pressure that grows slowly.
+/// A plate that is pinned at one corner and guided in planes across x and y at two others, under a pressure
+/// with a ramp.
 struct HeldPlate {
     Shell shell = plate(6);
     ShellEnergyOptions options;
@@ -68,7 +69,7 @@ INSTANTIATE_TEST_SUITE_P(All, VibrationModels,
                          testing::Values(BendingModel::cubic, BendingModel::nonlinear,
                                          BendingModel::coupled));
 
-// Frequencies would be those of something else: without a load at its full size, or with what a pin blocks.
+// Loads must act at their full size, and coordinates that pins block must not take part.
 TEST_P(VibrationModels, AreThoseOfADenseSolver) {
     const HeldPlate held(GetParam());
     const Vibration found = vibration(held.shell, held.options, 15);
@@ -82,7 +83,7 @@ TEST_P(VibrationModels, AreThoseOfADenseSolver) {
             << i;
 }
 
-// Shapes that are none, or that a pin does not let be.
+// Shapes must be eigenvectors that satisfy the pins.
 TEST_P(VibrationModels, SolveTheEquationAndAreOrthonormal) {
     const HeldPlate held(GetParam());
     const MatrixXd stiffness = stiffness_of(held.shell, held.options);
@@ -100,8 +101,8 @@ TEST_P(VibrationModels, SolveTheEquationAndAreOrthonormal) {
     }
 }
 
-// A free plate has six modes of no frequency, which would push the others off the list; one with too few
-// supports swings.
+// A free plate has six rigid motions, which must not displace modes in the list; too few supports leave some
+// of them.
 TEST(Vibration, TellsRigidMotionsApart) {
     const auto rigid = [](const Shell& shell, const ShellEnergyOptions& options = {}) {
         const Vibration found = vibration(shell, options, 3);
@@ -128,7 +129,8 @@ TEST(Vibration, TellsRigidMotionsApart) {
     EXPECT_EQ(rigid(shell), 0);
 }
 
-// Far from the origin, and as thin as paper, the round-off of stretching is beside what bending takes.
+// In a sheet as thin as paper far from the origin, the round-off of the membrane is comparable with the
+// stiffness of bending.
 TEST(Vibration, TellsRigidMotionsOfThinSheetsFarAway) {
     Shell shell = test::stacked_plates(1, 12, 0, {780, 1e-5, 3e9, 0.2});
     const double here = vibration(shell, {}, 1).modes[0].frequency();
@@ -139,7 +141,7 @@ TEST(Vibration, TellsRigidMotionsOfThinSheetsFarAway) {
     EXPECT_NEAR(there.modes[0].frequency(), here, 0.05 * here);
 }
 
-// Lanczos' method sees one of several equal frequencies; five equal plates in a scene have each five times.
+// Lanczos' method finds one of several equal frequencies; five equal plates in a scene have each five times.
 TEST(Vibration, FindsFrequenciesAsOftenAsTheyAre) {
     const Shell one = plate(4);
     const Vibration single = vibration(one, {}, 4);
@@ -159,7 +161,7 @@ TEST(Vibration, FindsFrequenciesAsOftenAsTheyAre) {
         EXPECT_NEAR(all.modes[i].eigenvalue / single.modes[i / copies].eigenvalue, 1, 1e-7) << i;
 }
 
-// A mesh of two triangles has six modes; who asks for more gets all.
+// A mesh of two triangles has six modes; a request for more returns all.
 TEST(Vibration, OfTheSmallestSheetIsComplete) {
     const Shell shell = test::two_triangles(test::rubber);
     const Vibration found = vibration(shell, {}, 100);
@@ -174,7 +176,7 @@ TEST(Vibration, OfTheSmallestSheetIsComplete) {
     EXPECT_EQ(none.freedoms + none.rigid + static_cast<Index>(none.modes.size()), 0);
 }
 
-// A plate that is pressed beyond its buckling load has a mode that grows, at the rate by which it does.
+// A plate that is compressed beyond its buckling load has an unstable mode, with its growth rate.
 TEST(Vibration, ASheetUnderTooMuchPressureIsUnstable) {
     Shell shell = plate(8);
     for (Index v = 0; v < 81; ++v) shell.fixed[v] = v % 9 == 0 || v % 9 == 8 || v < 9 || v >= 72;
@@ -215,7 +217,7 @@ TEST(Vibration, IsThatOfARun) {
     EXPECT_NEAR(crossing, steps_of_quarter, 0.2);
 }
 
-// Whoever compares two scenes compares bits.
+// Modes of two runs of the same scene must be equal bit for bit.
 TEST(Vibration, IsTheSameToTheLastBit) {
     const Vibration one = vibration(plate(6), {}, 5), two = vibration(plate(6), {}, 5);
     for (int i = 0; i < 5; ++i) {
@@ -224,7 +226,7 @@ TEST(Vibration, IsTheSameToTheLastBit) {
     }
 }
 
-// The column that tells bending from stretching.
+// The share along normals distinguishes bending from stretching.
 TEST(Vibration, OfAPlateBendsOutOfItsPlane) {
     const Shell shell = plate(6);
     const Vibration found = vibration(shell, {}, 100);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// If one of these fails, an energy goes on with triangles or hinges that are gone, and the sheet is pushed by
-// what it is not made of; or a run invents energy where triangles change.
+// Energies must not refer to triangles or hinges that are gone, and a run must not gain energy where
+// triangles change.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -48,7 +48,7 @@ std::vector<MirrorHinge> rim_mirrors(const Shell& shell) {
     return mirrors;
 }
 
-// Every energy that follows is that of the shell as it is then, and at rest it is none.
+// An energy that follows changes equals one that is made of the changed shell, and is zero at rest.
 RC_GTEST_PROP(AdvanceEnergies, AreThoseOfTheShellAsItIs, ()) {
     const unsigned shape = *rc::gen::inRange(0u, test::sheet_shapes), seed = *rc::gen::inRange(0u, 1u << 30);
     BreakableShell sheet({test::directed_input(shape, seed)});
@@ -83,8 +83,8 @@ RC_GTEST_PROP(AdvanceEnergies, AreThoseOfTheShellAsItIs, ()) {
     expect_same_energy(*arcs, *membrane_energy(shell, MembraneModel::arc), x);
 }
 
-// A clamp whose side is split or gets another triangle clamps on, over all of its length. On a curved sheet
-// it keeps the tangent that it had, against which triangles with another corner lie differently at rest.
+// A clamp whose side is split or gets another triangle continues over all of its length. On a curved sheet it
+// keeps its tangent, against which triangles with another corner have another angle at rest.
 RC_GTEST_PROP(AdvanceEnergies, ClampsGoOn, ()) {
     const unsigned seed = *rc::gen::inRange(0u, 1u << 30);
     const unsigned shape = *rc::gen::element(0u, 1u, 3u);
@@ -110,7 +110,7 @@ RC_GTEST_PROP(AdvanceEnergies, ClampsGoOn, ()) {
     RC_ASSERT(std::abs(coupled->value(x) - bent) <= 1e-9 * bent);
 }
 
-// What lies on a sheet lies on it still: the force and its moment stay.
+// Loads keep their total force and moment when triangles change.
 RC_GTEST_PROP(AdvanceEnergies, LoadsGoOn, ()) {
     const unsigned seed = *rc::gen::inRange(0u, 1u << 30);
     BreakableShell sheet({test::directed_input(0, seed)});
@@ -145,7 +145,7 @@ RC_GTEST_PROP(AdvanceEnergies, LoadsGoOn, ()) {
     RC_ASSERT((total() - before).norm() <= 1e-10 * before.norm());
 }
 
-/// A strip that is held at one end, falls and swings, and gets other triangles every third step.
+/// A strip that is pinned at one end, falls and swings, and gets other triangles every third step.
 class AdvancingStrip {
   public:
     AdvancingStrip(Scheme scheme, bool fails, double damping)
@@ -213,7 +213,7 @@ TEST(AdvanceEnergies, ABalanceOfEnergyCloses) {
         }
 }
 
-// A step that is given up with a change in it leaves the change, and its energy is counted once.
+// A step that is discarded after a change of the shell keeps the change, and its energy is counted once.
 TEST(AdvanceEnergies, AStepThatIsBegunAgainCountsOnce) {
     AdvancingStrip run(Scheme::implicit_euler, false, 0);
     for (int i = 1; i < 10; ++i) {
@@ -226,7 +226,7 @@ TEST(AdvanceEnergies, AStepThatIsBegunAgainCountsOnce) {
     EXPECT_LT(std::abs(run.stepper->balance().unexplained), 1e-6 * run.largest);
 }
 
-// Equilibria do not depend on the triangles they are found with, but for the error of a mesh.
+// Equilibria depend on the triangles only by the error of the mesh.
 TEST(AdvanceEnergies, StaticsGoOnWithOtherTriangles) {
     BreakableShell sheet({AdvancingStrip::input()});
     StepperOptions options;

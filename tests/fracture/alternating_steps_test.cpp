@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs whose steps are implicit and explicit by turns, or shorter where something strikes.
+// Runs whose steps are alternately implicit and explicit.
 #include <gtest/gtest.h>
 
 #include "fracture/simulation.h"
@@ -57,7 +57,7 @@ Course course(const Fall& fall) {
     return all;
 }
 
-// Implicit steps take the bounce; explicit ones must be there when it happens, and only then.
+// Implicit steps damp a bounce: steps must be explicit during an impact, and only then.
 TEST(AlternatingSteps, AreExplicitWhileSomethingStrikes) {
     Fall fall;
     const Course implicit = course(fall);
@@ -95,7 +95,7 @@ Fall blow() {
     return fall;
 }
 
-// A run by turns would end at a blow that implicit steps bear.
+// Otherwise a run with alternating schemes would end at an impact that implicit steps can solve.
 TEST(AlternatingSteps, AreImplicitWhereExplicitOnesCannotGoOn) {
     Fall fall = blow();
     fall.options.stepper.scheme = Scheme::explicit_differences;
@@ -110,7 +110,7 @@ TEST(AlternatingSteps, AreImplicitWhereExplicitOnesCannotGoOn) {
     EXPECT_GT(both.rises, 0) << "it is thrown back";
 }
 
-// Times of whole steps are exact, so that frames are where the scene has them.
+// Times of whole steps must be exact, so that frames are recorded when the scene asks for them.
 TEST(AlternatingSteps, ComeBackToWholeSteps) {
     Fall fall;
     fall.options.alternates = true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a program does to a simulation between two steps.
+// Interventions of a program in a simulation between two steps.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ SimulationOptions options_of(Scheme scheme) {
     return options;
 }
 
-/// The edges of the line x = 0.2, which parts the square.
+/// The edges of the line x = 0.2, which divides the square.
 std::vector<Edge> middle_line(const Simulation& simulation) {
     const Mesh& mesh = simulation.shell().mesh();
     std::vector<Edge> edges;
@@ -46,7 +46,7 @@ class ByHand : public testing::TestWithParam<Scheme> {};
 INSTANTIATE_TEST_SUITE_P(Schemes, ByHand,
                          testing::Values(Scheme::implicit_euler, Scheme::bdf2, Scheme::explicit_differences));
 
-// A program that steers a sheet by forces would steer it elsewhere.
+// Forces from a program must accelerate the sheet as given.
 TEST_P(ByHand, ForcesAccelerate) {
     Simulation simulation({square()}, options_of(GetParam()));
     const Shell& shell = simulation.shell().mechanics();
@@ -55,12 +55,12 @@ TEST_P(ByHand, ForcesAccelerate) {
     StepReport report;
     for (int i = 0; i < 10; ++i) report = simulation.step();
     const Vector3d gained = report.linear_momentum / shell.mass.sum();
-    // An explicit step knows of new forces from the end of its first part on.
+    // An explicit step uses new forces from the end of its first substep on.
     EXPECT_LT((gained - acceleration * simulation.time()).norm(), 0.05 * gained.norm());
     EXPECT_GT(report.work_of_loads, 0);
     EXPECT_NEAR(report.unexplained, 0, 1e-9 * report.work_of_loads);
     simulation.give_forces(Positions::Zero(3, shell.mass.size()));
-    for (int i = 0; i < 25; ++i) simulation.step();  // schemes that remember forget
+    for (int i = 0; i < 25; ++i) simulation.step();  // until the history of multistep schemes is uniform
     const Vector3d before = simulation.step().linear_momentum;
     EXPECT_TRUE(simulation.step().linear_momentum.isApprox(before, 1e-9));
 }
@@ -93,7 +93,7 @@ TEST_P(ByHand, PinnedVerticesGoAsTheyAreTold) {
               std::string::npos);
 }
 
-// What is broken by hand must be opened, numbered, told of and booked as what breaks by itself is.
+// Edges broken by hand must be opened, numbered, recorded and booked like other failures.
 TEST_P(ByHand, EdgesBreakBetweenSteps) {
     for (const int steps : {0, 2}) {
         Simulation simulation({square()}, options_of(GetParam()));

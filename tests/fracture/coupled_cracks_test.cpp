@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Coupled hinges and arcs follow cracks. Only the faces around a crack may be computed anew, and what comes
-// out must be what a shell would have that was made with these edges free.
+// Coupled hinges and arcs after a crack: only the faces around it may be computed again, and the result must
+// equal that of a shell made with these edges free.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -81,7 +81,7 @@ RC_GTEST_PROP(CoupledCracks, LeaveWhatAShellMadeWithTheseEdgesFreeHas, ()) {
     CoupledBending followed(shell, mirrors);
     ArcMembrane arcs(shell, mirrors);
     const StepContext step = test::step_of(shell, 0, 1e-3);
-    pattern_of(followed);  // what is known from then on has to follow
+    pattern_of(followed);  // fills the cache of each face's reach, which has to follow cracks
     for (int batch = 0; batch < 3; ++batch) {
         const test::EdgeRecipe recipe{*rc::gen::inRange(0, test::pattern_count), *rc::gen::inRange(0, 101),
                                       *rc::gen::arbitrary<unsigned>()};
@@ -104,8 +104,8 @@ RC_GTEST_PROP(CoupledCracks, LeaveWhatAShellMadeWithTheseEdgesFreeHas, ()) {
     }
 }
 
-// Pieces one or two triangles wide see few directions: their energy must stay bounded, and resist every bend
-// that their hinges see.
+// Hinges of pieces one or two triangles wide have few directions: the energy must stay bounded, and resist
+// every bend that the hinges measure.
 TEST(CoupledCracks, NarrowPiecesStayAsStiffAsTheyWere) {
     BreakableShell sheet = dome();
     const Shell& shell = sheet.mechanics();
@@ -131,9 +131,9 @@ TEST(CoupledCracks, NarrowPiecesStayAsStiffAsTheyWere) {
     EXPECT_LT(most, 1.5 * whole);
 }
 
-// When a hinge breaks, the sides around are measured from fewer angles, or none. That must neither load what
-// was not loaded, nor give a sheet that is bent without stretch more energy than flat triangles have, to
-// which it comes down when all hinges are broken.
+// When a hinge breaks, the arcs of the sides around it are computed from fewer angles, or none. This must
+// neither load a sheet without load, nor give a sheet that is bent without stretch more energy than flat
+// triangles have, whose energy it reaches when all hinges are broken.
 TEST(CoupledCracks, ArcsOfABentSheetTurnIntoChordsAtLast) {
     BreakableShell sheet = test::flat_plate(1, 0.8, 0.12, {1000, 0.02, 1e9, 0.3});
     const Shell& shell = sheet.mechanics();

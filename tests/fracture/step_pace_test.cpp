@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// When explicit steps begin and end: if they began too late a blow would be damped away, and if they never
-// ended a run of seconds would take days.
+// Begin and end of explicit steps: if they began too late an impact would be damped, and if they never ended
+// a run of seconds would take days.
 #include "fracture/step_pace.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,8 @@ TEST(StepPace, ExplicitStepsBeginWithAStrikeStressOrACrack) {
     EXPECT_EQ(pace.judge(cracking), Urgency::crack);
 }
 
-// A small piece that lands takes little of the run's energy, even if little is left.
+// A small fragment that lands has little of the largest energy of the run, even if the energy is small by
+// then.
 TEST(StepPace, WhatIsMuchIsOfTheLargestEnergy) {
     StepPace pace;
     StepActivity large = calm;
@@ -29,7 +30,8 @@ TEST(StepPace, WhatIsMuchIsOfTheLargestEnergy) {
     EXPECT_EQ(pace.judge(strike), Urgency::none);
 }
 
-/// Explicit steps, four to a whole one, until they end; at most 1000 whole ones.
+/// Makes explicit steps, four to a whole one, until implicit ones shall follow. Returns the number of whole
+/// steps; 0 after 1000.
 int whole_steps_until_quiet(StepPace& pace, const StepActivity& step) {
     for (int whole = 1; whole <= 1000; ++whole)
         for (int i = 0; i < 4; ++i)
@@ -59,7 +61,8 @@ TEST(StepPace, ExplicitStepsEndWhereSomethingLiesOrIsPressed) {
     }
 }
 
-// A run that begins at rest has no blow to measure others by: it would take the least bounce for one.
+// A run that begins at rest has no large energy to compare with: the smallest bounce would count as an
+// impact.
 TEST(StepPace, BouncesOfLittleEnergyAreNoBlows) {
     StepPace pace(0.5);
     EXPECT_EQ(pace.judge(strike), Urgency::none);
@@ -67,7 +70,7 @@ TEST(StepPace, BouncesOfLittleEnergyAreNoBlows) {
     EXPECT_EQ(whole_steps_until_quiet(pace, strike), 4);
 }
 
-// What still rings is damped by the first implicit steps; that they take it is no strike.
+// Remaining vibrations are damped by the first implicit steps; this dissipation is no impact.
 TEST(StepPace, FirstImplicitStepsCalmWhatRings) {
     StepPace pace;
     pace.goes_explicit();
@@ -79,7 +82,7 @@ TEST(StepPace, FirstImplicitStepsCalmWhatRings) {
     EXPECT_EQ(pace.judge(strike), Urgency::strike);
 }
 
-// Where implicit steps fail at once, again and again, each trial is the more wasted.
+// If implicit steps turn out urgent at once, again and again, each further attempt is likely to be wasted.
 TEST(StepPace, TrialsInVainAreMadeLessOften) {
     StepPace pace;
     pace.goes_explicit();
@@ -94,8 +97,8 @@ TEST(StepPace, TrialsInVainAreMadeLessOften) {
     EXPECT_EQ(whole_steps_until_quiet(pace, calm), 4) << "the last trial was not in vain";
 }
 
-// Explicit steps that could not go on would fail again at once; if none ever followed, all later cracks would
-// be those of implicit steps.
+// Explicit steps that failed would fail again at once; if none ever followed, all later cracks would
+// propagate in implicit steps.
 TEST(StepPace, ImplicitStepsGoOnForSomeWholeStepsWhereExplicitOnesCannot) {
     StepPace pace;
     for (const int whole_steps : {4, 8, 16, 32, 64, 64}) {

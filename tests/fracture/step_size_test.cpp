@@ -9,7 +9,7 @@
 namespace sherd {
 namespace {
 
-// A clock that drifts would take frames at other times than the scene asked for, to the last bit.
+// Times must be exact to the last bit, so that frames are recorded when the scene asks for them.
 TEST(StepSize, KeepsTheNominalStepAndItsExactTimes) {
     StepSize step(1e-4);
     for (int i = 1; i <= 1000; ++i) {
@@ -42,7 +42,7 @@ TEST(StepSize, GrowsAfterFourStepsThatSucceed) {
     EXPECT_EQ(step.size(), 512);
 }
 
-// Explicit steps have one length, and end where implicit ones can go on.
+// Explicit steps have one length, and end where an implicit step can begin.
 TEST(StepSize, KeepsALengthUntilItMayGrow) {
     StepSize step(1024);
     step.keep(6);
@@ -56,7 +56,7 @@ TEST(StepSize, KeepsALengthUntilItMayGrow) {
     EXPECT_EQ(step.size(), 1024);
 }
 
-// Whatever fails, no step may reach over the end of a nominal one: frames are recorded there.
+// After any failures, no step may cross the end of a nominal one, where frames are recorded.
 RC_GTEST_PROP(StepSize, NeverReachesOverAWholeStep, ()) {
     StepSize step(1024);
     for (int i = 0; i < 300; ++i) {

@@ -32,7 +32,7 @@ void require_stability(const Scene& scene, const std::vector<SheetInput>& inputs
     };
     if (stable(all)) return;
     std::vector<std::string> mistakes;
-    // Which one it is only a sheet alone can tell.
+    // Each sheet is tested alone, to name those that are unstable.
     for (std::size_t s = 0; s < inputs.size(); ++s)
         if (!stable(BreakableShell({inputs[s]})))
             mistakes.push_back(fmt::format(
@@ -43,7 +43,8 @@ void require_stability(const Scene& scene, const std::vector<SheetInput>& inputs
     if (!mistakes.empty()) throw Error(fmt::format("{}", fmt::join(mistakes, "\n")));
 }
 
-/// The scene's obstacles, which nothing may start in.
+/// Adds the scene's obstacles and bodies. If a sheet overlaps one at the start, throws Error or, where the
+/// scene exempts overlaps, adds a warning.
 void add_obstacles(const Scene& scene, BuiltScene& built, std::vector<std::string>& warnings) {
     ContactOptions& contact = built.options.stepper.contact;
     const ThicknessRange sheets = thickness_range(built.inputs);

@@ -18,7 +18,7 @@ namespace sherd {
 namespace {
 
 constexpr int moments_beside_keys = 200;
-constexpr int looks = 16;  // moments at which sheets between are searched for, before the gap is narrow
+constexpr int looks = 16;  // moments before the gap is narrow at which sheets between are searched for
 constexpr double noticed_squeeze = 1e-2;  // share of the thickness
 constexpr double bend_slack = 0.05;       // share of a sheet's size, for its bending in flight
 constexpr double needle_width = 1e-6;     // share of its length
@@ -131,7 +131,7 @@ void add_needle(Mesh& needles, const Vector3d& from, const Vector3d& to) {
     needles.add_face(a, b, c);
 }
 
-/// The narrowest of the points between which and their feet the sheet, displaced by `shift`, lies at a
+/// Narrowest of the points for which the sheet, displaced by `shift`, lies between point and foot at a
 /// moment.
 std::optional<NarrowPoint> crossed(const Pair& pair, const std::vector<NarrowPoint>& narrow,
                                    const Between& sheet, double time, const Vector3d& shift) {
@@ -164,7 +164,7 @@ std::optional<NarrowPoint> certain(const Pair& pair, const std::vector<NarrowPoi
     return std::nullopt;
 }
 
-/// The narrowest of the points that lie in the box through which the sheet flies until they are narrow.
+/// Narrowest of the points that are in the box through which the sheet flies before the gap there is narrow.
 std::optional<NarrowPoint> possible(const Pair& pair, const std::vector<NarrowPoint>& narrow,
                                     const Between& sheet) {
     Eigen::AlignedBox3d start;
@@ -180,7 +180,7 @@ std::optional<NarrowPoint> possible(const Pair& pair, const std::vector<NarrowPo
     return worst;
 }
 
-/// The narrowest points of a pair between which a sheet lies, or may lie.
+/// Narrowest points of a pair of obstacles at which a sheet is between them, or may be.
 struct Squeeze {
     std::optional<NarrowPoint> certain, possible;
 };

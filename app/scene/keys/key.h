@@ -20,24 +20,24 @@ template <class Struct>
 struct Key {
     KeyInfo info;
     void (*read)(TomlTable& table, const KeyInfo& key, Struct& into) = nullptr;
-    std::string (*fallback)(const KeyInfo& key, const Struct& defaults) = nullptr;  ///< null: it has none
-    std::vector<SectionText> (*inside)() = nullptr;                                 ///< null: it is no table
+    std::string (*fallback)(const KeyInfo& key, const Struct& defaults) = nullptr;  ///< null: no default
+    std::vector<SectionText> (*inside)() = nullptr;                                 ///< null: no table
 };
 
 /// A kind of table, which is read into a struct.
 template <class Struct_>
 struct Section {
     using Struct = Struct_;
-    std::string_view title;  ///< what it describes
+    std::string_view title;  ///< heading in the reference
     std::span<const Key<Struct>> keys;
-    /// Does what no key can do alone, when all of them have been read; null: nothing.
+    /// Checks keys against each other and completes the struct, after all keys have been read; null: nothing.
     void (*complete)(TomlTable& table, Struct& into) = nullptr;
 };
 
-/// Reports the keys of a table that a key of it conflicts with.
+/// Reports conflicts of a key with other keys of its table.
 void report_conflicts(TomlTable& table, const KeyInfo& key);
 
-/// Reads the keys of a table, and reports those that conflict. The caller ends the table.
+/// Reads the keys of a table, and reports those that conflict. The caller must call finish().
 template <class Struct>
 void read_keys(TomlTable& table, const Section<Struct>& section, Struct& into) {
     for (const Key<Struct>& key : section.keys) key.read(table, key.info, into);
@@ -45,7 +45,7 @@ void read_keys(TomlTable& table, const Section<Struct>& section, Struct& into) {
     if (section.complete != nullptr) section.complete(table, into);
 }
 
-/// Reads a table whole: keys that it does not have are problems.
+/// Reads a whole table, and reports unknown keys.
 template <class Struct>
 void read_section(TomlTable& table, const Section<Struct>& section, Struct& into) {
     read_keys(table, section, into);
@@ -73,7 +73,7 @@ struct Traits<Value_ Struct_::*> {
     using Value = Value_;
 };
 
-/// The struct that a path of members begins in, and the type of the member at its end.
+/// First struct of a path of members, and type of the member at its end.
 template <auto first, auto... rest>
 struct Path {
     using Struct = typename Traits<decltype(first)>::Struct;
@@ -90,7 +90,7 @@ constexpr auto& at(Struct& all) {
         return at<rest...>(all.*first);
 }
 
-// Each reads a table into what a member is: a struct, an optional one, or a list of them.
+// read_table() reads a table into a member: a struct, an optional struct, or a list of structs.
 template <class Struct>
 void read_table(TomlTable& table, const KeyInfo& key, const Section<Struct>& section, Struct& into) {
     if (auto inner = table.table(key.name)) read_section(*inner, section, into);
@@ -161,7 +161,7 @@ constexpr auto table_key(std::string_view name, std::string_view sentence, const
                        [] { return std::vector{text_of(section)}; }};
 }
 
-/// A key of a table whose keys are read into the struct that the key itself is of.
+/// A key of a table whose keys are read into the struct of the key itself.
 template <const auto& section>
 constexpr auto part_key(std::string_view name, std::string_view sentence, const KeyRules& rules = {}) {
     using Struct = typename std::remove_cvref_t<decltype(section)>::Struct;
@@ -173,7 +173,7 @@ constexpr auto part_key(std::string_view name, std::string_view sentence, const 
                        [] { return std::vector{text_of(section)}; }};
 }
 
-/// A key that is read by hand. inside: of a table, the kinds that it may be.
+/// A key with a reader of its own. inside: if it is a table, the kinds of table that it may be.
 template <class Struct>
 constexpr Key<Struct> special_key(std::string_view name, Form forms, std::string_view sentence,
                                   const KeyRules& rules,
@@ -182,7 +182,7 @@ constexpr Key<Struct> special_key(std::string_view name, Form forms, std::string
     return {{name, forms, rules, sentence}, read, nullptr, inside};
 }
 
-/// A key that its table had once, which no reference tells.
+/// A key of earlier versions, which the reference leaves out.
 template <class Struct>
 constexpr Key<Struct> retired_key(std::string_view name, std::string_view instead) {
     return {{name, Form{}, {.retired = {{}, instead}}, {}},
@@ -200,7 +200,7 @@ constexpr auto joined(const std::array<Key<Struct>, sizes>&... lists) {
     return all;
 }
 
-/// The keys of a list, for a struct that has what they are read into at the end of a path of members.
+/// The keys of a list, for a struct that has their struct at the end of a path of members.
 template <const auto& list, auto... path>
 constexpr auto embedded() {
     return keys::embed_all<list, path...>(std::make_index_sequence<list.size()>());

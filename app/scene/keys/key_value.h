@@ -58,10 +58,10 @@ struct FormOf<Enum> {
 template <class Value>
 struct FormOf<std::optional<Value>> : FormOf<Value> {};
 
-/// Whether a table has the choice that a key had once, which is then reported.
+/// Whether a table has the retired choice of a key, which is then reported.
 bool is_retired(TomlTable& table, const KeyInfo& key);
 
-// Each reads a value. The one that is there holds when the key is left out, unless the key is required.
+// read_value() reads a value, which stays if the key is missing and not required.
 void read_value(TomlTable& table, const KeyInfo& key, double& value);
 void read_value(TomlTable& table, const KeyInfo& key, bool& value);
 void read_value(TomlTable& table, const KeyInfo& key, int& value);
@@ -83,7 +83,7 @@ void read_value(TomlTable& table, const KeyInfo& key, std::optional<Value>& valu
     read_value(table, given, value.emplace());
 }
 
-// Each gives a value as TOML has it; empty: none that a user could write.
+// as_toml() returns a value as TOML; empty if a user could not write it.
 std::string as_toml(const KeyInfo& key, double value);
 std::string as_toml(const KeyInfo& key, bool value);
 std::string as_toml(const KeyInfo& key, int value);

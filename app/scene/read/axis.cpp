@@ -4,7 +4,7 @@
 namespace sherd {
 namespace {
 
-/// The axis as a direction, which it becomes unless it is one.
+/// Returns the axis as a direction, and makes it one if it is of another kind.
 AxisDirection& as_direction(MaterialAxis& axis) {
     if (auto* direction = std::get_if<AxisDirection>(&axis.kind)) return *direction;
     return axis.kind.emplace<AxisDirection>();

@@ -10,10 +10,10 @@
 
 namespace sherd {
 
-/// What the fields of faces are called.
+/// Names of the fields of faces.
 inline constexpr std::array<std::string_view, 3> field_names{"stress", "curvature", "membrane_strain"};
 
-/// The fields of faces among the names, which need not all be of fields.
+/// The fields of faces among the names. Other names are ignored.
 FaceFieldChoice chosen_fields(const std::vector<std::string>& names);
 
 }  // namespace sherd

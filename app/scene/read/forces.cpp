@@ -9,7 +9,7 @@
 namespace sherd {
 namespace {
 
-/// Takes the kind of a load from the key of its size.
+/// Sets the kind of a load to the key of its size, and reports a second such key.
 void take_kind(TomlTable& table, std::string_view key, LoadSpec& load) {
     if (!load.kind.empty())
         table.report(key, fmt::format("conflicts with {}: write a load for each", load.kind));
@@ -99,7 +99,7 @@ constexpr std::array force_keys{
     table_key<load_section, &Scene::loads>("load", "what pushes and pulls", {.otherwise = "none"}),
     table_key<wind_section, &Scene::winds>("wind", "the air", {.otherwise = "none"})};
 
-/// Reports the names of sheets that are not there, and sheets in two winds.
+/// Reports names of sheets that the scene does not have, and sheets in two winds.
 void complete_forces(TomlTable& table, Scene& scene) {
     for (TomlTable& load : table.tables("load")) check_sheet_name(load, scene);
     std::vector<TomlTable> winds = table.tables("wind");

@@ -14,7 +14,7 @@ constexpr std::array<std::string_view, 2> laws{"strength", "toughness"}, measure
     paths{"cut", "edges"};
 constexpr std::array<std::string_view, 1> map_values{"never"};
 
-/// One number for all directions, or two: along and across the material's axis.
+/// Reads one number for all directions, or two: along and across the material's axis.
 Eigen::Vector2d read_directional(TomlTable& table, const KeyInfo& key) {
     if (table.is_array(key.name)) return table.pair(key.name, key.rules.unit, key.rules.range);
     return Eigen::Vector2d::Constant(table.number(key.name, key.rules.unit, key.rules.range));
@@ -32,10 +32,10 @@ void set_toughness(FractureSpec& fracture, const Eigen::Vector2d& value) {
     if (value[1] != value[0]) fracture.toughness_across = value[1];
 }
 
-/// Takes from the preset of the sheet's material how the sheet breaks; keys that follow win.
+/// Sets the fracture data of the preset of the sheet's material, which later keys override.
 void read_fracture_preset(TomlTable& table, const KeyInfo& key, FractureSpec& fracture) {
     if (!table.flag(key.name, false)) return;
-    static constexpr FracturePreset none{};  // which is one mistake, not two
+    static constexpr FracturePreset none{};  // so that only the preset is reported
     const bool is_known = fracture.material != nullptr && fracture.material->fracture.has_value();
     const FracturePreset& preset = is_known ? *fracture.material->fracture : none;
     set_strength(fracture, Measure::stress, {preset.strength, preset.strength_across});
@@ -137,8 +137,7 @@ void check_strength(TomlTable& table, const FractureSpec& fracture) {
         table.report("", "needs strain (1/m) or strength (Pa): what the sheet withstands; or preset = true");
 }
 
-/// Cracks that propagate by toughness start where the stress exceeds the strength, and have rules of their
-/// own.
+/// Checks keys of the toughness, which needs a strength (Pa) and conflicts with crack_tip.
 void check_toughness(TomlTable& table, const FractureSpec& fracture) {
     const char* given = table.has("fracture_energy") ? "fracture_energy"
                         : table.has("toughness")     ? "toughness"
@@ -154,7 +153,7 @@ void check_toughness(TomlTable& table, const FractureSpec& fracture) {
         table.report("crack_tip", "conflicts with toughness, by which the tips of cracks go on");
 }
 
-/// Reports maps and scores of a toughness that there is not.
+/// Reports maps and scores of the toughness if the sheet has none.
 void check_laws(TomlTable& table, const FractureSpec& fracture) {
     if (fracture.has_toughness()) return;
     const auto check = [](TomlTable& factor, FractureLaw law) {

@@ -6,7 +6,7 @@
 
 namespace sherd {
 
-/// `fracture` of a sheet, whose material has been read: what the sheet withstands.
+/// Reads `fracture` of a sheet, whose material has been read.
 void read_fracture(TomlTable& table, const KeyInfo& key, SheetSpec& sheet);
 std::vector<SectionText> inside_fracture();
 

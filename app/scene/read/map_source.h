@@ -11,7 +11,7 @@ void read_vdb(TomlTable& table, const KeyInfo& key, MapSource& source);
 void read_grid(TomlTable& table, const KeyInfo& key, MapSource& source);
 void read_property(TomlTable& table, const KeyInfo& key, MapSource& source);
 
-/// The keys of what a map of a sheet has its values from.
+/// Keys of the source of the values of a map of a sheet.
 inline constexpr std::array map_source_keys{
     special_key("texture", Form::file,
                 "values from 0 (black) to 1, over the texture coordinates of the mesh: a PNG file",
@@ -23,7 +23,7 @@ inline constexpr std::array map_source_keys{
     special_key("property", Form::text, "a number that the mesh's PLY file has for each vertex",
                 {.what = "the name of a property of vertices"}, read_property)};
 
-/// Does what the keys of a map's source cannot do alone: one of them must be given. Returns where it stands.
+/// Reports a map without source. Returns the place of the source, "FILE:LINE: dotted.key".
 std::string complete_map_source(TomlTable& map);
 
 }  // namespace sherd

@@ -13,7 +13,7 @@ namespace {
 constexpr Range poisson_range{.least = -1, .most = 0.5};
 constexpr double usual_poisson = 0.3;
 
-/// What a preset gives need not be given.
+/// Returns the value of the preset, by which a key may be left out; none without a preset.
 std::optional<double> from_preset(const SheetSpec& sheet, double Material::*member) {
     return sheet.preset != nullptr ? std::optional(sheet.preset->material.*member) : std::nullopt;
 }
@@ -22,7 +22,7 @@ void read_preset(TomlTable& table, const KeyInfo& key, SheetSpec& sheet) {
     if (!table.has(key.name)) return;
     std::vector<std::string_view> names;
     for (const MaterialPreset& known : material_presets()) names.push_back(known.name);
-    // A preset that is not known is one mistake, not four.
+    // An unknown preset is one mistake: keys that it would replace are not reported.
     static constexpr MaterialPreset unknown{"", {}, FracturePreset{}};
     sheet.preset = &unknown;
     const std::string name = table.choice(key.name, names);
@@ -101,7 +101,7 @@ void read_yield(TomlTable& table, const KeyInfo& key, SheetSpec& sheet) {
 
 void check_constants(TomlTable& table, const Material& material) {
     const Orthotropy m = elastic_constants(material);
-    // What is not a number is a problem already.
+    // Values that are not numbers have been reported.
     if (!std::isfinite(m.young0 + m.young1 + m.young01 + material.shear.value_or(0))) return;
     const std::string broken = broken_inequality(m);
     if (broken.empty()) return;

@@ -6,7 +6,7 @@
 namespace sherd {
 namespace {
 
-/// The same in all directions.
+/// Fracture data that are equal in all directions.
 constexpr FracturePreset brittle(double strength, double weibull_modulus, double weibull_area,
                                  double toughness, double speed_limit = 0) {
     return {strength, strength, weibull_modulus, weibull_area, toughness, toughness, speed_limit};

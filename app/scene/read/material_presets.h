@@ -9,7 +9,7 @@
 
 namespace sherd {
 
-/// How a material breaks. Along and across its axis: for a pull in that direction.
+/// Fracture data of a material, along and across its axis: for tension in that direction.
 struct FracturePreset {
     double strength = 0, strength_across = 0;      ///< Pa, mean of a patch of weibull_area
     double weibull_modulus = 0, weibull_area = 0;  ///< m^2
@@ -21,7 +21,7 @@ struct FracturePreset {
 struct MaterialPreset {
     std::string_view name;
     Material material;
-    std::optional<FracturePreset> fracture = {};  ///< none: it is no brittle material
+    std::optional<FracturePreset> fracture = {};  ///< none: not brittle
 };
 
 /// Returns presets of real materials; scenes/README.md gives the source of each.

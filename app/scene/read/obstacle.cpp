@@ -59,7 +59,7 @@ constexpr std::array level_set_keys{
                                   {.unit = "m per unit of the file", .range = positive})};
 constexpr Section<ObstacleLevelSet> level_set_section{"A level set", level_set_keys};
 
-/// Takes the shape of an obstacle from the first of the keys that give one.
+/// Reads the shape of an obstacle from the first key that gives one.
 template <const auto& section>
 void read_solid(TomlTable& table, const KeyInfo& key, ObstacleSpec& obstacle) {
     if (!table.has(key.name) || !obstacle.where.empty()) return;
@@ -107,7 +107,7 @@ constexpr std::array cache_keys{
                                 {.choices = interpolations_of_caches})};
 constexpr Section<ObstacleCache> cache_section{"A point cache", cache_keys};
 
-/// Reads `cache`, and what does not go with it.
+/// Reads `cache`, and reports keys that conflict with it.
 void read_cache(TomlTable& table, const KeyInfo& key, ObstacleSpec& obstacle) {
     if (!table.has(key.name)) return;
     auto* mesh = std::get_if<ObstacleMesh>(&obstacle.shape);
@@ -131,7 +131,7 @@ std::vector<SectionText> inside_cache() {
     return {text_of(cache_section)};
 }
 
-/// The motion of a body that is free, which density or mass make of an obstacle.
+/// Returns the free motion of an obstacle, which density or mass make a free body.
 FreeMotion& free_motion(ObstacleSpec& obstacle) {
     return obstacle.free ? *obstacle.free : obstacle.free.emplace();
 }
@@ -167,7 +167,8 @@ void complete_free_motion(TomlTable& table, ObstacleSpec& obstacle) {
     if (has_mass && !is_mesh) obstacle.free->density = obstacle.free->mass / volume(obstacle);
 }
 
-/// What it turns about, before it is placed: a solid about its centre, files about their origin.
+/// Point about which an obstacle rotates, before it is placed: a point of a plane, the centre of a solid, the
+/// origin of a file.
 template <class Kind>
 Vector3d pivot(const Kind& kind) {
     if constexpr (requires { kind.point; }) return kind.point;

@@ -6,7 +6,7 @@
 
 namespace sherd {
 
-/// Reads a direction, and makes its length one. A direction that is zero is a problem.
+/// Reads a direction, and makes it a unit vector. A zero direction is a problem.
 void read_direction(TomlTable& table, const KeyInfo& key, Vector3d& direction);
 
 /// `rotate = { axis = [x, y, z], degrees = a }`.
@@ -34,14 +34,14 @@ constexpr auto direction_key(std::string_view name, std::string_view sentence, c
 
 inline constexpr std::array<std::string_view, 2> interpolations{"smooth", "linear"};
 
-/// The keys of what moves as it is told.
+/// Keys of a prescribed motion.
 inline constexpr std::array motion_keys{
     table_key<motion_key_section, &Motion::keys>(
         "keys", "where it is at some times, against where it was placed", {.otherwise = "it stays"}),
     key<&Motion::smooth>("motion", "between two keys: from rest to rest, or at constant speed",
                          {.choices = interpolations})};
 
-/// Reports keys of a motion that are not one after the other.
+/// Reports keys of a motion whose times do not increase, and an interpolation without keys.
 void check_motion(TomlTable& table, const Motion& motion);
 
 }  // namespace sherd

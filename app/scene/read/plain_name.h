@@ -9,8 +9,8 @@
 
 namespace sherd {
 
-/// Reads the key `name` of a table that is a `thing`, "variant": of letters, digits, _ and -, and none of
-/// `earlier`. `reason` says why, for messages: "names a group of the recording".
+/// Reads the key `name` of a table that describes a `thing`, "variant". The name consists of letters, digits,
+/// _ and -, and differs from those in `earlier`. reason: for messages, "names a group of the recording".
 std::string read_plain_name(TomlTable& table, std::string_view thing, std::string_view reason,
                             const std::vector<std::string>& earlier);
 

@@ -7,7 +7,7 @@
 
 namespace sherd {
 
-/// Polylines of (r, z) points in m, from the axis outward, that are turned about the z axis.
+/// Polyline of (r, z) points in m, from the axis outward, that is turned about the z axis.
 using Profile = std::vector<Eigen::Vector2d>;
 
 /// Returns the profile of a dinner plate: it is flat from the axis to `foot`, then rises in a curve to three

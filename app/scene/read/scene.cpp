@@ -29,7 +29,7 @@
 namespace sherd {
 namespace {
 
-constexpr double most_steps = 1e9;  // decades of computing: a mistyped step, not a wish
+constexpr double most_steps = 1e9;  // would take decades: most likely a mistyped step
 
 constexpr std::array<std::string_view, 2> starts{"exempt", "error"};
 constexpr std::array contact_keys{
@@ -43,7 +43,8 @@ constexpr std::array contact_keys{
 constexpr Section<Scene> contact_section{
     "Contact of sheets and fragments with each other and with themselves", contact_keys};
 
-/// Reads the duration, which statics have of their load, and sets what follows from it.
+/// Reads the duration, which in statics is the last load factor or length of path, and derives the frame
+/// interval.
 void read_duration(TomlTable& root, const KeyInfo& key, Scene& scene) {
     if (!scene.is_static())
         scene.duration = root.number(key.name, key.rules.unit, key.rules.range);
@@ -116,7 +117,7 @@ void refuse_variant(TomlTable& root, const KeyInfo& key, Scene& /*scene*/) {
 constexpr Range seeds{
     .least = 0, .most = std::numeric_limits<std::uint32_t>::max(), .with_least = true, .with_most = true};
 
-/// In the order in which they are read: what a key means may depend on those before.
+/// Keys in the order in which they are read: the meaning of a key may depend on earlier ones.
 constexpr std::array scene_keys{
     part_key<solver_section>("solver", "how steps are made"),
     special_key("duration", Form::number, "simulated time; not in statics, which end at `solver.load`",
@@ -140,8 +141,8 @@ void require_few_steps(const Scene& scene, TomlTable& table, const char* key, co
                      fmt::format("would take {:.2g} steps, more than {:.0g}: {}", steps, most_steps, advice));
 }
 
-/// Frames are recorded at the ends of steps: a step that the scene does not give is no longer than the time
-/// between two frames.
+/// Shortens a default step to the frame interval, as frames are recorded at the ends of steps. If the scene
+/// gives a longer step, it is reported.
 void complete_frame_interval(TomlTable& output, bool step_is_given, Scene& scene) {
     if (scene.frame_interval >= scene.simulation.stepper.step) return;
     if (step_is_given || scene.is_static())
@@ -168,7 +169,7 @@ void complete_times(TomlTable& root, Scene& scene) {
     if (output && output->has("every")) complete_frame_interval(*output, step_is_given, scene);
 }
 
-/// The paper's rule breaks what is over its strength, and nothing else counts.
+/// Reports keys that do not go with the paper's rule, which only compares hinges with their strength.
 void require_paper(TomlTable& root, const FractureSpec& fracture) {
     if (fracture.has_toughness())
         root.report("solver", "rule = \"paper\" knows no toughness: leave one of them out");
@@ -180,7 +181,7 @@ void complete_sheets(TomlTable& root, const Scene& scene) {
     for (const SheetSpec& sheet : scene.sheets) {
         if (sheet.fracture && scene.simulation.rule == BreakingRule::paper)
             require_paper(root, *sheet.fracture);
-        // Plates have one rigidity; only how hinges stand for it is a choice.
+        // Coupled hinges have the rigidity of a plate; other hinges can be calibrated.
         if (scene.simulation.stepper.shell.bending.model == BendingModel::coupled &&
             sheet.material.calibration == Calibration::paper)
             root.report("sheet",

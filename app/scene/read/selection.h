@@ -17,9 +17,9 @@ inline constexpr std::array selection_keys{
         "group", "the vertices of the faces in this group of the mesh file",
         {.what = "the name of a group of the mesh file", .otherwise = "none", .excludes = {"box"}})};
 
-/// Whether a table selects anything.
+/// Whether a table has a key of a selection.
 bool selects(TomlTable& table);
-/// Does what the keys of a selection cannot do alone. It must select something.
+/// Checks the keys of a selection against each other, and reports one that selects nothing.
 void complete_selection(TomlTable& table, Selection& selection);
 
 }  // namespace sherd

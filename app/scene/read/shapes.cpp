@@ -16,7 +16,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// Real dinner plates of 26 cm are 2.4 cm high and flat over 16 cm: these are parts of the radius.
+/// Shares of the radius: real dinner plates of 26 cm are 2.4 cm high and flat over 16 cm.
 constexpr double plate_height = 0.18, plate_foot = 0.6;
 constexpr Range below_180{.least = 0, .most = 180}, up_to_360{.least = 0, .most = 360, .with_most = true};
 constexpr KeyRules side_rules{.unit = "m", .range = positive, .required = true};
@@ -149,7 +149,7 @@ constexpr auto revolution_keys = joined(common_keys, revolution_part_keys);
 constexpr auto polygon_keys = joined(common_keys, polygon_part_keys);
 
 using ShapeSection = Section<GeneratedMesh>;
-/// By the names of shapes.
+/// Sections in the order of shape_names.
 constexpr std::array<ShapeSection, shape_names.size()> shapes{
     ShapeSection{"A rectangle from the origin along x and y, z = 0", rectangle_keys},
     ShapeSection{"A disc about the origin, z = 0", round_keys},

@@ -23,7 +23,7 @@ constexpr std::array bend_keys{
                          {.unit = "m"})};
 constexpr Section<BendSpec> bend_section{"A sheet that starts rolled up", bend_keys, complete_bend};
 
-/// What moves by keys is placed by its shape at rest.
+/// Reports moving pins and clamps of a sheet with `bend`, since their motion begins at the rest shape.
 void require_still_supports(TomlTable& table, const SheetSpec& sheet) {
     for (const auto* pins : {&sheet.pins, &sheet.clamps})
         for (const PinSpec& pin : *pins)

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* studies = "studies";  // the folder that has them
+constexpr const char* studies = "studies";  // folder of the studies
 
 /// The first sentence of the comment at the head of a file.
 std::string description_of(const fs::path& file) {
@@ -40,7 +40,7 @@ const ShippedScene* find_named(std::string name, const std::vector<ShippedScene>
     return found == scenes.end() ? nullptr : &*found;
 }
 
-/// What to say to whoever gave a name that is not there.
+/// Advice after an unknown name: the nearest known one, if there is one.
 std::string advice(const std::string& given, const std::vector<ShippedScene>& scenes) {
     std::vector<std::string> names, last_parts;
     for (const ShippedScene& scene : scenes) {
@@ -58,11 +58,11 @@ std::string advice(const std::string& given, const std::vector<ShippedScene>& sc
 }
 
 bool is_missing(const fs::path& path) {
-    std::error_code unreadable;  // is there, and reading it will say what is wrong
+    std::error_code unreadable;  // an unreadable file exists; reading it reports the error
     return fs::status(path, unreadable).type() == fs::file_type::not_found;
 }
 
-/// Those that come with the program; none when they are not there.
+/// The scenes that come with the program; empty if their folder is missing.
 std::vector<ShippedScene> scenes_if_any() try {
     return shipped_scenes(shipped_scene_folder());
 } catch (const Error&) {
@@ -118,7 +118,7 @@ fs::path find_scene(const std::string& given) {
     if (!is_missing(given + ".toml")) return given + ".toml";
     const std::vector<ShippedScene> scenes = scenes_if_any();
     if (const ShippedScene* scene = find_named(given, scenes)) return scene->file;
-    if (is_folder) return given;  // which reading it will say
+    if (is_folder) return given;  // reading it reports the error
     throw Error(fmt::format(
         "{}: cannot read the scene: there is no such file, and no scene of this name comes with the program; "
         "{}",

@@ -9,7 +9,7 @@ namespace sherd {
 
 /// A scene that comes with the program.
 struct ShippedScene {
-    std::string name;            ///< its path below the folder of the scenes, without .toml
+    std::string name;            ///< path below the folder of the scenes, without .toml
     std::filesystem::path file;  ///< absolute
     std::string description;     ///< the first sentence of the comment that the file begins with
 };
@@ -27,12 +27,12 @@ std::vector<ShippedScene> shipped_scenes(const std::filesystem::path& folder);
 /// there is none.
 ShippedScene shipped_scene(const std::string& name, const std::vector<ShippedScene>& scenes);
 
-/// Returns what is meant by `given`: the file of this name, or else the one with .toml behind it, or else the
-/// shipped scene. Throws Error (input) with the nearest shipped one when there is none of them.
+/// Returns the file that `given` names: the file of this name, or else with .toml appended, or else the
+/// shipped scene. Throws Error (input) with the nearest shipped scene if there is none.
 std::filesystem::path find_scene(const std::string& given);
 
-/// Returns what is meant by `given`: the file of this name, or the one with .toml behind it, or else the
-/// study of this name that comes with the program; if there is none of them, `given`.
+/// Returns the file that `given` names: the file of this name, or else with .toml appended, or else the study
+/// of this name that comes with the program. Returns `given` if there is none.
 std::filesystem::path find_study(const std::string& given);
 
 /// Returns the files that a scene names and that are there, relative to the scene's folder.

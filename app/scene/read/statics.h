@@ -6,7 +6,8 @@
 
 namespace sherd {
 
-/// Reports what a static scene cannot have: what moves or acts with time, and sheets that nothing holds.
+/// Reports parts of a scene that statics cannot have: velocities, free bodies, wind, damping, ramps of loads
+/// and sheets without supports; and for arc_length prescribed motions, or the lack of a load.
 void require_statics(TomlTable& root, const Scene& scene);
 
 }  // namespace sherd

@@ -9,7 +9,7 @@
 namespace sherd {
 namespace {
 
-constexpr double at_rest = 1e-12;  // of the first key's rotation and way, m
+constexpr double at_rest = 1e-12;  // tolerance of the first key's rotation, and of its translation, m
 constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
 
 void read_free(TomlTable& table, const KeyInfo& key, PinSpec& pin) {

@@ -7,11 +7,11 @@
 
 namespace sherd {
 
-/// Collects the mistakes of several variants, or warnings. What all of them share is told once.
+/// Collects the mistakes of several variants, or their warnings. A line that several variants share is listed
+/// once.
 class VariantRemarks {
   public:
-    /// Adds what there is to say of a variant, such as the message of an Error; empty lines say that there is
-    /// nothing.
+    /// Adds the lines of a variant, such as the message of an Error; empty if there are none.
     void add(const std::string& variant, const std::string& lines);
     /// Returns each line, with the names of its variants unless all have it.
     std::vector<std::string> lines() const;
@@ -20,7 +20,7 @@ class VariantRemarks {
 
   private:
     std::size_t variants = 0;
-    std::vector<std::pair<std::string, std::vector<std::string>>> remarks;  ///< a line, who has it
+    std::vector<std::pair<std::string, std::vector<std::string>>> remarks;  ///< line and its variants
 };
 
 }  // namespace sherd

@@ -8,13 +8,12 @@
 
 namespace sherd {
 
-/// Returns the names of the `[[variant]]`s of a scene, in the order of the file. A variant without a name,
-/// with one that does not do as a part of a file's name, or with that of another one, is a problem.
+/// Returns the names of the `[[variant]]`s of a scene, in the order of the file. A missing name, one that
+/// cannot be part of a file's name, or one that another variant has, is a problem.
 std::vector<std::string> read_variant_names(TomlTable& root);
 
-/// Takes the variants out of `scene` and lets the keys of the one called `name` replace those of the scene.
-/// Tables are merged, and everything else, inline tables and arrays too, is replaced. Nothing replaces
-/// anything when no variant has that name.
+/// Removes the variants from `scene`, and replaces its keys by those of the variant `name`, if there is one.
+/// Tables are merged; everything else, inline tables and arrays too, is replaced.
 void apply_variant(toml::table& scene, const std::string& name);
 
 }  // namespace sherd

@@ -21,7 +21,7 @@ std::optional<toml::table> parse(const std::string& text, const std::string& sou
     }
 }
 
-/// TOML needs quotes around a string, which a shell eats: a value that only lacks them is given them.
+/// Parses an assignment. A string may lack the quotes of TOML, since shells remove them.
 toml::table parse_assignment(const std::string& assignment) {
     const std::string source = std::string(option) + assignment;
     const std::size_t equals = assignment.find('=');

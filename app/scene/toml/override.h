@@ -9,7 +9,7 @@
 namespace sherd {
 
 /// Puts `assignment`, KEY=VALUE of the command line, into `scene`. KEY is dotted; VALUE is TOML, and a bare
-/// word that is not TOML is a string. What it adds has the source path "--set KEY=VALUE". Throws Error when
+/// word that is not TOML is a string. Added keys have the source path "--set KEY=VALUE". Throws Error when
 /// the assignment cannot be understood.
 void apply_override(toml::table& scene, const std::string& assignment);
 
@@ -17,7 +17,7 @@ void apply_override(toml::table& scene, const std::string& assignment);
 /// else, inline tables too, is replaced.
 void merge_keys(toml::table& into, toml::table&& from);
 
-/// Says whether a source path is that of an override.
+/// Whether a source path is that of an override.
 bool is_override(std::string_view source_path);
 
 }  // namespace sherd

@@ -9,13 +9,13 @@
 
 namespace sherd {
 
-/// Says in words where something of a scene stands: "plate.toml:12", or the override "--set KEY=VALUE".
+/// Returns the place of something in a scene: "plate.toml:12", or the override "--set KEY=VALUE".
 std::string place_of(const toml::source_region& source);
 
 /// Collects the mistakes of a scene, so that a user sees them all at once.
 class Problems {
   public:
-    /// `key` is dotted; `what` says what is wrong and what to do.
+    /// Adds a problem. key: dotted; what: the mistake and its remedy.
     void add(const toml::source_region& source, std::string_view key, const std::string& what);
 
     /// Throws Error with a line for each problem, in the order of the file, those of overrides at the end.

@@ -6,7 +6,7 @@
 
 namespace sherd {
 
-/// The finite numbers that a value may be.
+/// Range of finite numbers.
 struct Range {
     double least = -std::numeric_limits<double>::infinity();
     double most = std::numeric_limits<double>::infinity();
@@ -17,7 +17,7 @@ struct Range {
     }
     bool has_least() const { return least > -std::numeric_limits<double>::infinity(); }
     bool has_most() const { return most < std::numeric_limits<double>::infinity(); }
-    /// For messages: "a positive number".
+    /// Description for messages: "a positive number".
     std::string words() const;
 };
 inline constexpr Range any_number{};

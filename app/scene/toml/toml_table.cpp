@@ -13,7 +13,7 @@ namespace sherd {
 namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-/// Of numbers; products of a few of what is beyond have no place in a double.
+/// Bounds of numbers: products of a few numbers beyond them overflow or underflow.
 constexpr double largest = 1e30, smallest = 1e-30;
 
 std::string_view type_name(const toml::node& node) {
@@ -35,7 +35,7 @@ std::string_view type_name(const toml::node& node) {
     }
 }
 
-/// The value as the user wrote it, when it is short enough to be told.
+/// The value as the user wrote it, if it is short, or its type.
 std::string told(const toml::node& node) {
     if (const auto* text = node.as_string()) return fmt::format("the string \"{}\"", text->get());
     if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
@@ -54,7 +54,7 @@ std::optional<double> finite_number(const toml::node& node) {
     return value && std::isfinite(*value) && is_in_bounds(*value) ? value : std::nullopt;
 }
 
-/// Whether a number, or one in an array, is finite and yet none to compute with.
+/// Whether a number, or one in an array, is finite but out of bounds.
 bool is_out_of_bounds(const toml::node& node) {
     if (const toml::array* array = node.as_array())
         return std::any_of(array->begin(), array->end(),
@@ -255,7 +255,7 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) {
 std::vector<std::pair<std::string, TomlTable>> TomlTable::entries() {
     std::vector<std::string> names;
     for (const auto& [key, node] : *content) names.emplace_back(key.str());
-    // What an override adds has no place in the file and comes last.
+    // Keys of overrides have no position in the file and come last.
     const auto order = [this](const std::string& key) {
         const toml::source_region& source = content->get(key)->source();
         return std::pair(source.path != content->source().path, source.begin);

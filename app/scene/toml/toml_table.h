@@ -18,38 +18,39 @@
 namespace sherd {
 
 /// Reads the keys of one TOML table. A missing key without a fallback, a wrong type, length or range is added
-/// to the problems, and the caller gets a value that no later comparison holds for (NaN) or that is empty.
-/// A problem tells the fallback. Every key asked for becomes a known one; `finish` reports the others.
+/// to the problems, with the fallback; the caller gets the fallback, an empty value, or NaN, for which no
+/// later comparison holds. Every key asked for becomes a known one; finish() reports the others.
 class TomlTable {
   public:
-    /// directory: where the names of files are understood from.
+    /// directory: to which the names of files are relative.
     TomlTable(const toml::table& table, std::string path, Problems& problems,
               std::filesystem::path directory = {});
 
     bool has(std::string_view key);
-    /// `unit` is told to the user: "m", "kg/m^3".
+    /// Reads a number. unit: for messages, "m", "kg/m^3".
     double number(std::string_view key, std::string_view unit, const Range& range,
                   std::optional<double> fallback = {});
     std::int64_t integer(std::string_view key, std::int64_t smallest, std::int64_t largest,
                          std::int64_t fallback);
     bool flag(std::string_view key, bool fallback);
-    /// `what` is told to the user: "a file name".
+    /// Reads a string. what: for messages, "a file name".
     std::string string(std::string_view key, std::string_view what);
     /// Reads the name of a file; it is empty after a problem.
     std::filesystem::path file(std::string_view key, std::string_view what);
     /// Reads one of `names`; the string is empty after a problem.
     std::string choice(std::string_view key, std::span<const std::string_view> names);
-    /// The place of a choice() among `names`; 0 when it is none of them, which is reported.
+    /// Reads a choice() and returns its index in `names`; 0 after a problem.
     std::size_t choice_number(std::string_view key, std::span<const std::string_view> names);
-    /// Reports a key that scenes had once. `instead` says what to use: "scheme = \"auto\" does that".
+    /// Reports a key of earlier versions. instead: its replacement, "scheme = \"auto\" does that".
     void retired(std::string_view key, std::string_view instead);
-    /// Reports a choice that a key had once. Returns whether it is made, so that choice() need not report it.
+    /// Reports a choice that a key had in earlier versions. Returns whether the table makes it; choice()
+    /// would then report it again.
     bool retired(std::string_view key, std::string_view name, std::string_view instead);
-    /// Reads an array of different ones of `names`, at least one; it is empty after a problem.
+    /// Reads an array of one or more of `names`, each once; empty after a problem.
     std::vector<std::string> choices(std::string_view key, std::span<const std::string_view> names);
     Eigen::Vector3d vector(std::string_view key, std::string_view unit,
                            std::optional<Eigen::Vector3d> fallback = {});
-    /// Reads two numbers. `or_one` says that the user is told that a single number would do as well.
+    /// Reads two numbers. or_one: whether messages offer a single number, too.
     Eigen::Vector2d pair(std::string_view key, std::string_view unit, const Range& range, bool or_one = true);
     /// Reads an array of arrays of `columns` numbers, with at least `least` rows.
     std::vector<Eigen::VectorXd> rows(std::string_view key, std::string_view unit, std::size_t least,

@@ -163,7 +163,7 @@ double BodyStep::free_way(const Positions& x, const Vector6d& from, const Vector
     if (!near) return 1;
     const BodyPose before = pose(from), after = pose(to);
     // In the body's frame, the straight motion takes the shell through images of itself that are not folded
-    // over as long as the angle is less than pi. Whole turns count: a way that is not looked at may be long.
+    // over while the angle is less than pi. Whole turns count, since a motion that is not tested may be long.
     const double angle = (to - from).tail<3>().norm();
     if (angle > largest_turn) return 0.5 * largest_turn / angle;
     const Positions start = seen_from(before, x);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A member that state lacks, or what is not made anew as it was, is a run that goes on with other bits.
+// If the state lacked a member, or did not restore one as it was, a resumed run would have other bits.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -14,7 +14,7 @@
 namespace sherd::test {
 namespace {
 
-/// A disc that falls onto the floor, with a ball behind it, in steps of this kind.
+/// A disc that falls onto the floor, with a ball behind it, with these keys of the solver.
 std::string stepped_disc(const std::string& duration, const std::string& solver) {
     return "duration = " + duration + R"(
 [sheet.plate]
@@ -182,8 +182,7 @@ void expect_same_snapshot(const Simulation& one, const Simulation& other) {
 
 class PutBack : public testing::TestWithParam<std::string> {};
 
-/// At every fourth step the state is put back into a simulation that has made none, which makes the next
-/// three.
+/// At every fourth step the state is restored into a new simulation, which makes the next four steps, too.
 TEST_P(PutBack, StateGoesOnBitForBit) {
     const double duration = parse_scene(scenes.at(GetParam()), "scene.toml").duration;
     Simulation whole = simulation_of(GetParam());
@@ -226,7 +225,7 @@ INSTANTIATE_TEST_SUITE_P(BreakingScenes, PutBack, testing::ValuesIn([] {
                              return plain;
                          });
 
-// A checkpoint that is cut off, or of another program, must not become a run of nonsense.
+// A checkpoint that is truncated, or of another scene, must be refused.
 TEST(StateArchive, RefusesWhatIsCutOffAndWhatIsOfSomethingElse) {
     Simulation whole = simulation_of("strength");
     std::ostringstream stream;

@@ -57,7 +57,7 @@ TEST(SceneFracture, ValuesArriveWithTheirMeasure) {
     EXPECT_EQ(build_scene(paper, warnings).options.rule, BreakingRule::paper);
 }
 
-// Glass is the same in all directions, its strength need not be.
+// Glass is isotropic, but its strength need not be.
 TEST(SceneFracture, ADirectedStrengthGetsItsAxes) {
     const SheetInput input = input_of(breaking_plate("strength = [4e7, 1e7]"));
     EXPECT_EQ(input.axes.size(), input.mesh.number_of_faces());
@@ -132,7 +132,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadFracture{"strength = 1e7\npath = \"edges\"", "fracture.path: needs toughness"},
         BadFracture{"strength = 1e7\ntoughness = 1e6\npath = \"x\"", "fracture.path"}));
 
-// A toughness that did not arrive would leave the cracks to the mesh.
+// Without its toughness a sheet would break along paths that depend on the mesh.
 TEST(SceneFracture, ToughnessArrivesWithItsSpeedLimit) {
     const SheetInput by_intensity = input_of(breaking_plate("strength = 4e7\ntoughness = 8e5"));
     EXPECT_EQ(by_intensity.toughness.value, 8e5);
@@ -149,7 +149,7 @@ TEST(SceneFracture, ToughnessArrivesWithItsSpeedLimit) {
     EXPECT_THROW(breaking_plate("strength = 4e7\nsmallest = 0.1", "rule = \"paper\""), Error);
 }
 
-// A toughness along and across an axis has the sheet's axes.
+// A toughness that depends on the direction needs the sheet's axes.
 TEST(SceneFracture, ADirectedToughnessGetsItsAxes) {
     const SheetInput input = input_of(breaking_plate("strength = [4e7, 2e7]\ntoughness = [3e6, 1e6]"));
     EXPECT_EQ(input.toughness.value, 3e6);
@@ -165,7 +165,7 @@ TEST(SceneFracture, WhatIsKeptWholeForThePictureArrives) {
     EXPECT_EQ(input.art_direction.smallest, 0.02);
 }
 
-// A preset breaks like its material, but for the keys that are given.
+// A preset has the fracture data of its material, except for keys that are given.
 TEST(SceneFracture, APresetBreaksLikeItsMaterialAndKeysWin) {
     const FractureSpec plain = fracture_of(breaking_plate("preset = true"));
     EXPECT_EQ(plain.strength.measure, Measure::stress);
@@ -199,7 +199,7 @@ material = { preset = "glass", tempered = 1e8 }
         EXPECT_TRUE(!breaks.can_fail(edge) || breaks.strength(edge) > 1.3e8);
 }
 
-// Every material that breaks makes a sheet that holds together.
+// Each preset with fracture data makes a valid sheet; others are refused.
 TEST(SceneFracture, EveryPresetMakesASheet) {
     for (const MaterialPreset& preset : material_presets()) {
         const std::string text =
@@ -225,8 +225,8 @@ TEST(SceneFracture, EveryPresetMakesASheet) {
         Error);
 }
 
-// A sheet with a crack of 60 mm that is pulled: it grows from both tips, straight on, once stress times the
-// root of pi times half its length is the toughness, to what energy is worth on so coarse a mesh.
+// A sheet in tension with a crack of 60 mm: it propagates straight from both tips when stress times the root
+// of pi times half its length reaches the toughness, within the error of the energy on so coarse a mesh.
 TEST(SceneFracture, ACrackThatIsThereGrowsAtItsToughness) {
     const Scene scene = scene_of(R"(
 [sheet.plate]
@@ -287,7 +287,7 @@ TEST(SceneFracture, SchemesAreRead) {
     EXPECT_EQ(by_turns.simulation.stepper.step, 1e-4) << "of implicit steps";
 }
 
-// Whoever has a scene of an older version would not know what to write instead.
+// An error on a retired key or choice must name its replacement.
 TEST(SceneFracture, WhatThereIsNoMoreNamesItsSuccessor) {
     for (const auto& [line, instead] :
          std::map<std::string, std::string>{{"scheme = \"midpoint\"", "\"bdf2\""},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reactions are what a proof reads from a run: with weight and loads they have to make up for every change of
-// momentum, in each step and whatever holds, moves, touches or breaks.
+// Reactions, weight and loads must balance every change of momentum, in each step and with any support,
+// motion, contact and fracture.
 #include <gtest/gtest.h>
 
 #include "app/scene/build/supports.h"
@@ -33,8 +33,8 @@ class Motion {
     }
     const Shell& shell() const { return simulation->shell().mechanics(); }
 
-    /// Makes a step, and returns by how much mass times acceleration differs from the reactions, the weight
-    /// and a load, which acts on each vertex as on the first: force and moment, over those of the weight.
+    /// Makes a step, and returns the difference of mass times acceleration from reactions, weight and a load
+    /// (N/kg, on all vertices): force and moment, over the weight (N).
     std::pair<double, double> imbalance(const Vector3d& load_per_mass = Vector3d::Zero()) {
         Positions before = shell().velocity;
         const StepReport report = simulation->step();
@@ -93,7 +93,7 @@ step = 1  # far beyond the slowest period, which takes the vibration out
     EXPECT_EQ(report.reactions[2].force.z(), 0);
 }
 
-// A clamp bears a moment, which pins alone do not; a symmetry plane that of the other half.
+// A clamp bears a moment, which pins alone do not; a symmetry plane bears that of the other half.
 class ReactionWith : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Bending, ReactionWith, testing::Values("cubic", "coupled"));
 
@@ -144,7 +144,7 @@ membrane = ")" +
     }
 }
 
-// Copies of a vertex have to be held as it was, and what breaks off must not take its reaction along.
+// Copies of a held vertex must be held, too, and a fragment must not take a reaction along.
 TEST(BreakingReaction, BalancesWhileTheSheetBreaks) {
     for (const std::string rule : {"staged", "paper"}) {
         Motion run(held_plate + R"(pin = [{ boundary = true }]

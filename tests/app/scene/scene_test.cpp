@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a scene file says must arrive in the simulation as it was written; a value that is read wrongly, or a
-// default that changes, makes every figure of a run wrong without a word.
+// Values of a scene file must arrive in the simulation as written: a value that is read wrongly, or a default
+// that changes, falsifies all numbers of a run without notice.
 #include "app/scene/read/scene.h"
 
 #include <gtest/gtest.h>
@@ -157,7 +157,7 @@ TEST(Scene, MembraneIsChosenAndKeptFromWrongNames) {
     EXPECT_NE(error.find("constant-strain"), std::string::npos) << error;
 }
 
-// Else what stands beside the list of schemes in memory would be chosen, until the error is told at the end.
+// Otherwise memory beyond the list of schemes would be read before the error is reported.
 TEST(Scene, AWordThatIsNoneOfThoseKnownChoosesTheFirst) {
     Problems problems;
     toml::table table = toml::parse("known = \"b\"\nwrong = \"c\"\nother = 3");
@@ -172,7 +172,7 @@ TEST(Scene, AWordThatIsNoneOfThoseKnownChoosesTheFirst) {
     }
 }
 
-// Neither would have any effect, and whoever gave it would believe that it has.
+// Neither key would have an effect, so both are refused.
 TEST(Scene, CoupledHingesTakeNeitherAJacobianNorACalibration) {
     const auto error_with = [](const std::string& key) {
         return thrown_by([&] { scene_of(small_scene, {{"solver.bending=coupled", key}, ""}); });
@@ -191,7 +191,7 @@ TEST(Scene, StepsCoverTheDurationWithoutOneForRoundOff) {
         << "a frame a step at most";
 }
 
-// Frames are recorded at the ends of steps: whoever asks for many must not be told to shorten the steps, too.
+// Frames are recorded at the ends of steps: a short frame interval must shorten the default step.
 TEST(Scene, AStepThatIsNotGivenIsNoLongerThanTheTimeBetweenFrames) {
     const Scene scene = scene_of(
         "duration = 1e-3\noutput.every = 2e-5\nsheet.a.mesh = \"a.obj\"\n"
@@ -264,8 +264,8 @@ TEST(SceneMesh, FilesAreScaledAndPlaced) {
     EXPECT_NEAR(measure(mesh).area, 0.5, 1e-15);
 }
 
-// Nobody should have to measure a file before they can say how large it is to be. Points that no face uses
-// are no part of it.
+// A scene can give the size of a mesh whose size in the file is unknown. Points that no face uses do not
+// count.
 TEST(SceneMesh, FilesAreAsLargeAsTheSceneSays) {
     const TemporaryDirectory directory;
     directory.write("tri.obj", "v -300 0 0\nv 100 0 0\nv 0 -40 0\nv 999 0 0\nf 1 2 3\n");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which rows a study makes of its scene, and what tells one from another: a hash that is too narrow takes a
-// result for that of another scene, one that is too wide runs everything again.
+// Rows of a study, and their identities: a hash of too little would take the result of another scene for a
+// row's, a hash of too much would run everything again.
 #include "app/sweep/study_row.h"
 
 #include <gtest/gtest.h>
