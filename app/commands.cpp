@@ -13,7 +13,7 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
     command
         .add_option_function<std::string>(
             "scene", [&options](const std::string& given) { options.file = find_scene(given); },
-            "Scene file (TOML; keys in scenes/README.md), or the name of one that 'sherd scenes' lists")
+            "Scene file (TOML; keys in docs/scene.md), or the name of one that 'sherd scenes' lists")
         ->required()
         ->option_text("SCENE.toml");
     command

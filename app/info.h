@@ -71,7 +71,7 @@ struct RunInfo {
 /// Reads the summary of a recording. Throws Error (input) if `file` is missing, not a recording or damaged.
 RunInfo read_run_info(const std::filesystem::path& file);
 
-/// JSON object with the keys of app/README.md. A number that is not finite becomes null.
+/// JSON object with the keys of docs/commands.md. A number that is not finite becomes null.
 std::string run_info_json(const RunInfo& info);
 
 /// The summary as text.

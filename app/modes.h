@@ -29,7 +29,7 @@ SceneModes scene_modes(const Scene& scene, const Simulation& simulation, const S
 /// The modes as a table of text.
 std::string modes_text(const Scene& scene, const SceneModes& modes);
 
-/// JSON object with the keys of app/README.md.
+/// JSON object with the keys of docs/commands.md.
 Json modes_json(const Scene& scene, const SceneModes& modes);
 
 /// Frames of modes in a recording.

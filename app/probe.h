@@ -56,14 +56,14 @@ struct Probe {
 /// face, if an energy or force is not a finite number.
 Probe probe(const ProbeShapes& shapes, const MaterialFile& material, std::vector<std::string>& warnings);
 
-/// JSON object with the keys of app/README.md.
+/// JSON object with the keys of docs/commands.md.
 std::string probe_json(const Probe& probe);
 
 /// The results as text.
 std::string probe_text(const Probe& probe);
 
-/// Writes forces, hinges and fields of faces to an HDF5 file with the datasets of app/README.md. Throws Error
-/// (input) if `file` exists and not `force`, (run) if it cannot be written.
+/// Writes forces, hinges and fields of faces to an HDF5 file with the datasets of docs/commands.md. Throws
+/// Error (input) if `file` exists and not `force`, (run) if it cannot be written.
 void write_probe(const Probe& probe, const std::filesystem::path& file, bool force);
 
 }  // namespace sherd

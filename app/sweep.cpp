@@ -260,7 +260,7 @@ void add_sweep(CLI::App& program, Command& chosen) {
     auto options = std::make_shared<SweepOptions>();
     command
         ->add_option("study", options->study,
-                     "Study file (.toml; keys in app/README.md), or one of those in scenes/studies")
+                     "Study file (.toml; keys in docs/commands.md), or one of those in scenes/studies")
         ->required()
         ->option_text("STUDY.toml");
     command

@@ -11,8 +11,8 @@
 namespace sherd {
 
 /// Journal of a file: its committed size, and blocks that replace those in it. With it the last committed
-/// state can be restored after a power cut. It is stored beside the file, as FILE.journal (app/README.md),
-/// with its own checksum.
+/// state can be restored after a power cut. It is stored beside the file, as FILE.journal
+/// (docs/recording.md), with its own checksum.
 struct Journal {
     std::uint64_t end = 0;  ///< bytes, size of the file
     Blocks blocks;

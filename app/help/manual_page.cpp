@@ -112,13 +112,14 @@ interrupted by SIGTERM, likewise
 .SH FILES
 .TP
 .I share/sherd/scenes
-below the folder of the installation: the scenes that \fBsherd scenes\fR lists, and every key of a scene in its README.md
+below the folder of the installation: the scenes that \fBsherd scenes\fR lists
 .TP
 .I share/sherd/blender/sherd_recording.py
 plays a recording in Blender
 .TP
 .I share/doc/sherd
-README.md, and app/README.md with every table and file that the program writes
+README.md; in docs, scene.md with every key of a scene, commands.md with every command, and
+recording.md with the layout of recordings
 .SH "SEE ALSO"
 .BR ffmpeg (1),
 which joins the pictures of \fBsherd render \-\-film\fR

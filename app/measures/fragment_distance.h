@@ -22,7 +22,7 @@ FragmentDistance fragment_distance(const Snapshot& first, const Snapshot& second
 /// Compares the last frames. Throws Error (input) if a recording is damaged, or has no frame.
 FragmentDistance fragment_distance(const Recording& first, const Recording& second);
 
-/// Returns a JSON object; its keys are described in app/README.md.
+/// Returns a JSON object; its keys are described in docs/commands.md.
 std::string distance_json(const FragmentDistance& distance);
 
 /// Returns a text for users.

@@ -40,8 +40,8 @@ struct PeakForce {
     std::vector<double> history = {};  ///< [steps] N, magnitude
 };
 
-/// Measures of a recorded run; app/README.md defines each. They are those of the last frame, unless they have
-/// a time of their own.
+/// Measures of a recorded run; docs/commands.md defines each. They are those of the last frame, unless they
+/// have a time of their own.
 struct Measures {
     double over = 0;                          ///< kg, largest mass of fragments that do not count
     std::vector<MeasuredFragment> fragments;  ///< fragments heavier than `over`, the heaviest first
@@ -77,7 +77,7 @@ struct CrackCentre {
 /// frame, and what first_contact() throws.
 Measures measures_of(const Recording& recording, double over, const CrackCentre& centre = {});
 
-/// Returns a JSON object; its keys are described in app/README.md.
+/// Returns a JSON object; its keys are described in docs/commands.md.
 std::string measures_json(const Measures& measures);
 
 /// Returns a text for users. time_unit: RecordingHeader::time_unit.

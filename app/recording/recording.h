@@ -84,7 +84,7 @@ struct RecordingOutput {
 /// not at all (JournaledFile), and the .xdmf file is replaced atomically, so both can be read during the run.
 /// The .xdmf file, which is written as a whole, is renewed after each of the first hundred frames, then
 /// whenever the number of frames has grown by a hundredth, and after the last. A mesh at rest is written if
-/// it differs from that of the frame before. The layout of the file is in app/README.md. The program must
+/// it differs from that of the frame before. The layout of the file is in docs/recording.md. The program must
 /// ignore SIGXFSZ, so that a file size limit is an error like a full disk.
 class RecordingWriter {
   public:

@@ -51,8 +51,8 @@ struct Study {
     SlurmOptions slurm;
 };
 
-/// Reads a study; app/README.md describes its keys. quick: whether the keys of its table `quick` replace the
-/// others. Throws Error (input) with file, line and key for each mistake. The scene is not opened.
+/// Reads a study; docs/commands.md describes its keys. quick: whether the keys of its table `quick` replace
+/// the others. Throws Error (input) with file, line and key for each mistake. The scene is not opened.
 Study read_study(const std::filesystem::path& file, bool quick);
 
 /// Reads a study from its text; `file` is for messages.

@@ -17,7 +17,8 @@ enum class AngleShare {
 /// The change of curvature of each face from the angles of its own hinges alone, [3, F], 1/m, as (00, 11,
 /// 2 * 01) in the face's rest frame: the sum of length / area times its share of the angle times n n^T over
 /// its sides of outward normal n. Uncoupled hinges determine no more than this, and it does not converge to
-/// the curvature of a plate (README). sides: sides_of_hinges(); strains: hinge_strain() of each hinge, 1/m.
+/// the curvature of a plate (docs/theory/bending.md). sides: sides_of_hinges(); strains: hinge_strain() of
+/// each hinge, 1/m.
 Eigen::Matrix3Xd curvatures_of_hinges(const Shell& shell, std::span<const std::array<TriangleEdge, 2>> sides,
                                       const VectorXd& strains, AngleShare share);
 

@@ -57,7 +57,7 @@ INSTANTIATE_TEST_SUITE_P(Plates, ShellBench,
                                          Bound{"hyperboloid, free ends, t = 0.01", 0.1, 0.6},
                                          Bound{"hyperboloid, free ends, t = 0.001", 0.1, 1, "arc"}));
 
-// Reason for coupled hinges, and errors of the others in core/bending/README.md: to be corrected there when
+// Reason for coupled hinges, and errors of the others in docs/theory/bending.md: to be corrected there when
 // they become smaller.
 struct Range {
     const char* name;

@@ -4,7 +4,7 @@ triangles are unfolded into the plane point by point, and the slopes and angles 
 quadratic surfaces."""
 import numpy as np
 
-SEES_WELL, SEES_HARDLY = 0.2, 0.05  # documented in core/bending/README.md
+SEES_WELL, SEES_HARDLY = 0.2, 0.05  # documented in docs/theory/bending.md
 SURFACES = [lambda p: p[0] ** 2 / 2, lambda p: p[1] ** 2 / 2, lambda p: p[0] * p[1] / np.sqrt(2)]
 SLOPES = [lambda p: np.array([p[0], 0]), lambda p: np.array([0, p[1]]), lambda p: np.array([p[1], p[0]]) / np.sqrt(2)]
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Growing cracks and breaking waves against theory, on the coarsest mesh of each experiment: if tips were
 // evaluated, turned or arrested wrongly, cracks took a wrong energy, or bending waves were too fast, the
-// tables of fracture/README.md would be wrong.
+// tables of docs/theory/fracture.md would be wrong.
 #include <gtest/gtest.h>
 
 #include "app/bench/fracture_run.h"

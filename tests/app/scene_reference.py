@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """scene_reference.py SHERD SOURCES REFERENCE
 
-Compares scenes/README.md (REFERENCE) with the program: every key that the reader of scenes (SOURCES: app/scene/read)
+Compares docs/scene.md (REFERENCE) with the program: every key that the reader of scenes (SOURCES: app/scene/read)
 knows is in one of its tables, every key in the tables is known to the reader, and defaults that are a plain number,
 `true`, `false` or an array are those that the program reports when the key has a wrong type. Fails if a key is added to
 the reference or the program only."""

@@ -13,7 +13,8 @@ import sys
 import tempfile
 import unittest
 
-STUDIES = pathlib.Path(__file__).resolve().parents[2] / "scenes" / "studies"
+TOP = pathlib.Path(__file__).resolve().parents[2]
+STUDIES = TOP / "scenes/studies"
 PROGRAM = os.path.abspath(sys.argv.pop(1))
 MODULE = pathlib.Path(PROGRAM).parent / "python"
 TEXTS = {path.stem: path.read_text(encoding="utf-8") for path in STUDIES.glob("*.toml")}
@@ -53,7 +54,7 @@ class Studies(unittest.TestCase):
                         self.assertTrue(any(row[column] for row in rows), column)
 
     def test_the_page_draws_what_the_tables_have(self):
-        page = (STUDIES / "README.md").read_text(encoding="utf-8")
+        page = (TOP / "docs/studies.md").read_text(encoding="utf-8")
         plots = [line.split() for line in page.splitlines() if line.strip().startswith("sherd plot ")]
         self.assertEqual(len(plots), 6)
         for _, _, table, *rest in plots:

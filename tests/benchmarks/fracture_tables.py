@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes the tables of fracture/README.md one after another.
+"""Makes the tables of docs/theory/fracture.md one after another.
 
     tests/benchmarks/fracture_tables.py build/release/app/sherd [--quick]
 

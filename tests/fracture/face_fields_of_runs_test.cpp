@@ -127,7 +127,7 @@ double error_of_curvature(BendingModel model, double edge_length) {
     return std::sqrt(wrong / all);
 }
 
-// Table of core/bending/README.md: fields recorded with single hinges must not be taken for stress.
+// Table of docs/theory/bending.md: fields recorded with single hinges must not be taken for stress.
 TEST(FieldsOfRuns, CurvatureConvergesWithCoupledHingesOnly) {
     double before = 1;
     for (const double edge : {0.1, 0.05, 0.025}) {

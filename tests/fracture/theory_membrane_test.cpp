@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Membrane models in bent thin sheets against theory: flat triangles lock, arcs do not. Prints the tables of
-// core/membrane/README.md.
+// docs/theory/membrane.md.
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
@@ -88,7 +88,7 @@ TEST(TheoryMembrane, StripRolledIntoARing) {
         std::printf("ring: t %.3f, h %.2f, h^2/(R t) %4.1f: constant-strain %5.2f, arc %5.2f %%\n", thickness,
                     edge, locks, flat, arcs);
         EXPECT_LT(std::abs(arcs), 0.3);
-        EXPECT_NEAR(flat, flat_error, 0.3 * flat_error) << "correct core/membrane/README.md";
+        EXPECT_NEAR(flat, flat_error, 0.3 * flat_error) << "correct docs/theory/membrane.md";
     }
 }
 
@@ -196,7 +196,7 @@ TEST(TheoryMembrane, ThinCylinderPinched) {
                 if (membrane == arc) {
                     EXPECT_NEAR(error, 1, edges == 8 ? 7 : edges == 16 ? 4 : 2.5);
                 } else if (thickness < 0.01 && edges > 8) {
-                    EXPECT_LT(error, -3) << "does not lock any more: correct core/membrane/README.md";
+                    EXPECT_LT(error, -3) << "does not lock any more: correct docs/theory/membrane.md";
                 }
             }
         }

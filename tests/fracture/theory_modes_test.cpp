@@ -50,7 +50,7 @@ TEST(TheoryModes, CantileverStrip) {
         const std::vector<double> errors = errors_of(BendingModel::cubic, "cubic");
         for (const int bending_mode : {0, 1, 2, 4, 5})
             EXPECT_NEAR(errors[bending_mode], 0, 16.0 / edges + 1.5) << bending_mode;
-        EXPECT_GT(errors[3], 15) << "the twisting mode is known to be stiff: correct core/bending/README.md";
+        EXPECT_GT(errors[3], 15) << "the twisting mode is known to be stiff: correct docs/theory/bending.md";
         EXPECT_LT(errors[3], 55);
         // The wall keeps the strip from narrowing, which beam theory neglects.
         for (const double error : errors_of(BendingModel::coupled, "coupled"))

@@ -37,7 +37,7 @@ Vector3d tip(double moment, double force) {
 }
 
 // By the right-hand rule about +y an end moment bends the strip away from its normal, by M l^2 / 2 D. Hinges
-// are too compliant (core/bending/README.md): the deflection F l^3 / 3 D by a force shows by how much.
+// are too compliant (docs/theory/bending.md): the deflection F l^3 / 3 D by a force shows by how much.
 TEST(EdgeMoment, BendsACantileverAsMuchAsAForceDoes) {
     const double by_moment = -tip(0.1, 0).z() / (0.1 / 2), by_force = -tip(0, 0.1).z() / (0.1 / 3);
     EXPECT_NEAR(by_moment, 1, 0.2) << "beside beam theory";

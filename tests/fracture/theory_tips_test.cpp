@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Crack tips against theory, on three meshes of each size. The bounds are the measured errors plus a margin;
-// the table is in core/tips/README.md.
+// the table is in docs/theory/tips.md.
 #include <gtest/gtest.h>
 
 #include <cmath>

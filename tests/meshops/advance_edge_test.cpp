@@ -181,7 +181,7 @@ TEST(AdvanceEdge, TakesAnEdgeThatLiesOnTheRay) {
     EXPECT_TRUE(advanced->change.reshaped.empty());
 }
 
-// Prints the table of meshops/README.md.
+// Prints the table of docs/theory/geometry.md.
 TEST(AdvanceEdge, PrintsHowPathsAreMade) {
     const char* names[] = {"rectangle", "cylinder", "sphere", "squares"};
     for (const bool snap : {true, false})

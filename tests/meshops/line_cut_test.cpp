@@ -18,7 +18,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Prints values of meshops/README.md.
+// Prints values of docs/theory/geometry.md.
 TEST(LineCut, PrintsTheSmallestAnglesOfStraightCuts) {
     std::vector<double> angles;
     for (unsigned seed = 1; seed <= 100; ++seed) {

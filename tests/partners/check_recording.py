@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """check_recording.py RUN.h5 [SUMMARY.json]
 
-Reads a recording with h5py and numpy alone and checks the statements of app/README.md about recordings. Writes the data
+Reads a recording with h5py and numpy alone and checks the statements of docs/recording.md about it. Writes the data
 that ParaView should find in each frame to SUMMARY.json, for check_paraview.py."""
 
 import json

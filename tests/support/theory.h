@@ -52,7 +52,7 @@ inline void settle(Shell& shell, StepperOptions options, int steps) {
     }
 }
 
-/// Prints a row of the table in core/bending/README.md.
+/// Prints a row of the table in docs/theory/bending.md.
 inline void report(const char* what, const std::vector<double>& percent) {
     std::printf("%-44s", what);
     for (const double error : percent) std::printf(" %6.1f", error);

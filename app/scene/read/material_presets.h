@@ -24,7 +24,7 @@ struct MaterialPreset {
     std::optional<FracturePreset> fracture = {};  ///< none: not brittle
 };
 
-/// Returns presets of real materials; scenes/README.md gives the source of each.
+/// Returns presets of real materials; docs/scene.md gives the source of each.
 std::span<const MaterialPreset> material_presets();
 
 }  // namespace sherd
