@@ -29,7 +29,7 @@ MOST_LINES = 400
 
 def sources(top):
     """Yields all C++ files, scripts and CMake files of the project, as paths below top."""
-    for folder in [*BELOW, "tests", ".ci", "CMakeLists.txt"]:
+    for folder in [*BELOW, "tests", "docs", ".ci", "CMakeLists.txt"]:
         files = [top / folder] if (top / folder).is_file() else sorted((top / folder).rglob("*"))
         for file in files:
             if file.is_file() and (file.suffix in (".h", ".cpp", ".py", ".cmake") or file.name == "CMakeLists.txt"
