@@ -15,6 +15,8 @@ MaterialFile read_material_file(const std::filesystem::path& file) {
         result.bending_stiffness = table.number("bending_stiffness", "N m", positive);
     SheetSpec sheet;
     read_section(table, material_section, sheet);
+    if (table.is_table("thickness"))
+        table.report("thickness", "must be a positive number (m), not a table: it is that of all vertices");
     result.axis = sheet.axis;
     result.material = sheet.material;
     problems.throw_if_any();

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 struct ScenesOptions {
     std::string copy;  ///< name of a scene; empty: list them
     fs::path folder = ".";
-    bool force = false, json = false, schema = false;
+    bool force = false, json = false, schema = false, markdown = false;
     std::string settable;             ///< a scene whose dotted keys are listed; empty: none
     std::optional<std::string> keys;  ///< a table or a key; empty: all of them
 };
@@ -85,7 +85,8 @@ int scenes(const ScenesOptions& options) {
         return 0;
     }
     if (options.keys) {
-        print_result("{}", key_reference(*options.keys, terminal_columns()));
+        print_result("{}", options.markdown ? key_tables(*options.keys)
+                                            : key_reference(*options.keys, terminal_columns()));
         return 0;
     }
     const fs::path folder = shipped_scene_folder();
@@ -125,6 +126,9 @@ void add_scenes(CLI::App& program, Command& chosen) {
     command->add_flag("--schema", options->schema, "For editors: the JSON Schema of scenes")
         ->excludes(copy)
         ->excludes(keys);
+    command->add_flag("--markdown", options->markdown, "For pages: tables of Markdown")
+        ->needs(keys)
+        ->group("");
     command->add_option("--settable", options->settable, "For completion: dotted keys of a scene")->group("");
     command->footer(
         "Any command takes the name of one in place of a file.\n"

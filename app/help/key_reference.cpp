@@ -5,7 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <set>
+#include <map>
 
 #include "app/scene/read/scene.h"
 #include "app/words/nearest_name.h"
@@ -55,23 +55,40 @@ std::string integer_words(const Range& range) {
 
 std::string key_lines(const std::string& name, const KeyText& key, std::size_t width, std::size_t columns) {
     const std::string without = default_words(key);
-    const std::string text =
+    std::string text =
         fmt::format("{}{}. {}", value_words(key.info),
                     without.empty() ? "" : fmt::format("; default: {}", without), key.info.sentence);
+    std::erase(text, '`');  // of Markdown
     const std::size_t indent = width + 4;
     return fmt::format("  {:<{}}  {}\n", name, width,
                        columns < indent + 20 ? text : wrapped(text, columns - indent - 1, indent));
 }
 
-std::string section_lines(const PlacedSection& placed, const std::string& only, std::size_t columns) {
+std::string section_lines(const PlacedSection& placed, std::size_t columns) {
     std::size_t width = 0;
     for (const KeyText& key : placed.section.keys) width = std::max(width, key.info.name.size());
     std::string lines = fmt::format("{}{}\n", placed.place.empty() ? "" : fmt::format("[{}] ", placed.place),
                                     placed.section.title);
     for (const KeyText& key : placed.section.keys)
-        if (only.empty() || key.info.name == only)
-            lines += key_lines(std::string(key.info.name), key, width, columns);
+        lines += key_lines(std::string(key.info.name), key, width, columns);
     return lines;
+}
+
+/// Returns text for a cell of a Markdown table.
+std::string cell(std::string text) {
+    for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2)
+        text.insert(at, 1, '\\');
+    return text;
+}
+
+std::string section_table(const PlacedSection& placed) {
+    std::string table = placed.place.empty() ? "" : fmt::format("`[{}]` ", placed.place);
+    table += fmt::format("{}:\n\n| key | value | default | meaning |\n| --- | --- | --- | --- |\n",
+                         placed.section.title);
+    for (const KeyText& key : placed.section.keys)
+        table += fmt::format("| `{}` | {} | {} | {} |\n", key.info.name, cell(value_words(key.info)),
+                             cell(default_words(key)), cell(std::string(key.info.sentence)));
+    return table;
 }
 
 /// Words that a shell can offer for a value, each after a blank.
@@ -82,15 +99,47 @@ std::string words_of(const KeyInfo& key) {
     return has_form(key.forms, Form::flag) ? words + " true false" : words;
 }
 
-bool has_key(const PlacedSection& placed, const std::string& name) {
-    return std::ranges::any_of(placed.section.keys,
-                               [&](const KeyText& key) { return key.info.name == name; });
-}
-
-/// Whether `typed` names a place: in full, without ".NAME", or by its end.
+/// Whether `typed` names a place: in full, without ".NAME", or by its end; "scene": the scene itself.
 bool is_meant(const std::string& place, const std::string& typed) {
+    if (place.empty()) return typed == "scene";
     const std::string bare = short_place(place);
     return place == typed || bare == typed || bare.ends_with("." + typed);
+}
+
+/// Throws Error with the table or key whose name is nearest to one that does not exist.
+[[noreturn]] void throw_unknown(const std::string& wanted, const std::vector<PlacedSection>& sections) {
+    std::vector<std::string> known;
+    for (const PlacedSection& placed : sections) {
+        known.push_back(placed.place.empty() ? "scene" : short_place(placed.place));
+        for (const KeyText& key : placed.section.keys)
+            known.push_back(dotted(short_place(placed.place), key.info.name));
+    }
+    // A name that begins another one counts as near: "solver" would be offered for "solver.stpe".
+    if (wanted.find('.') != std::string::npos)
+        std::erase_if(known, [](const std::string& name) { return name.find('.') == std::string::npos; });
+    const std::string nearest = nearest_name(wanted, known);
+    throw Error(fmt::format("--keys {}: scenes have no table and no key of this name; {}", wanted,
+                            nearest.empty() ? "'sherd scenes --keys' lists all of them"
+                                            : fmt::format("did you mean '{}'?", nearest)));
+}
+
+/// Returns the tables that `wanted` names; if there is none, those that have a key of this name, with that
+/// key alone.
+std::vector<PlacedSection> wanted_sections(const std::string& wanted) {
+    std::vector<PlacedSection> sections = scene_sections(), found;
+    if (wanted.empty()) return sections;
+    std::ranges::copy_if(sections, std::back_inserter(found),
+                         [&](const PlacedSection& placed) { return is_meant(placed.place, wanted); });
+    if (!found.empty()) return found;
+    const std::size_t dot = wanted.rfind('.');
+    const std::string table = dot == std::string::npos ? "" : wanted.substr(0, dot),
+                      name = dot == std::string::npos ? wanted : wanted.substr(dot + 1);
+    for (const PlacedSection& placed : sections)
+        for (const KeyText& key : placed.section.keys)
+            if (key.info.name == name && (table.empty() || is_meant(placed.place, table)))
+                found.push_back({placed.place, {placed.section.title, {key}}});
+    if (found.empty()) throw_unknown(wanted, sections);
+    return found;
 }
 
 }  // namespace
@@ -133,35 +182,26 @@ std::string default_words(const KeyText& key) {
 }
 
 std::string key_reference(const std::string& wanted, std::size_t columns) {
-    const std::vector<PlacedSection> sections = scene_sections();
-    const std::size_t dot = wanted.rfind('.');
-    const std::string table = dot == std::string::npos ? "" : wanted.substr(0, dot),
-                      key = dot == std::string::npos ? wanted : wanted.substr(dot + 1);
-    std::string text;
-    const auto add = [&](const PlacedSection& placed, const std::string& only) {
-        text += (text.empty() ? "" : "\n") + section_lines(placed, only, columns);
-    };
-    for (const PlacedSection& placed : sections)
-        if (wanted.empty() || (!placed.place.empty() && is_meant(placed.place, wanted))) add(placed, "");
-    if (!text.empty()) return text;
-    for (const PlacedSection& placed : sections)
-        if (has_key(placed, key) && (table.empty() || is_meant(placed.place, table))) add(placed, key);
-    if (!text.empty()) return text;
-    std::vector<std::string> known;
-    for (const PlacedSection& placed : sections) {
-        if (!placed.place.empty()) known.push_back(short_place(placed.place));
-        for (const KeyText& one : placed.section.keys)
-            known.push_back(dotted(short_place(placed.place), one.info.name));
-    }
-    const std::string nearest = nearest_name(wanted, known);
-    throw Error(fmt::format("--keys {}: scenes have no table and no key of this name; {}", wanted,
-                            nearest.empty() ? "'sherd scenes --keys' lists all of them"
-                                            : fmt::format("did you mean '{}'?", nearest)));
+    std::vector<std::string> texts;
+    for (const PlacedSection& placed : wanted_sections(wanted))
+        texts.push_back(section_lines(placed, columns));
+    return fmt::format("{}", fmt::join(texts, "\n"));
+}
+
+std::string key_tables(const std::string& wanted) {
+    std::vector<std::string> tables;
+    for (const PlacedSection& placed : wanted_sections(wanted)) tables.push_back(section_table(placed));
+    return fmt::format("{}", fmt::join(tables, "\n"));
 }
 
 std::vector<std::string> settable_lines(const std::vector<std::string>& sheets,
                                         const std::vector<std::string>& obstacles) {
-    std::set<std::string> lines;
+    std::map<std::string, std::string>
+        words;  // of each key; those of several kinds of table one after another
+    const auto add = [&](const std::string& key, const std::string& more) {
+        std::string& all = words[key];
+        if (all.find(more) == std::string::npos) all += more;
+    };
     for (const auto& [place, section] : scene_sections()) {
         const std::size_t at = place.find(any_name);
         const std::vector<std::string> names = at == std::string::npos         ? std::vector<std::string>{""}
@@ -170,13 +210,15 @@ std::vector<std::string> settable_lines(const std::vector<std::string>& sheets,
         for (const std::string& name : names)
             for (const KeyText& key : section.keys)
                 if (key.inside.empty())
-                    lines.insert(dotted(at == std::string::npos
-                                            ? place
-                                            : std::string(place).replace(at, any_name.size(), name),
-                                        key.info.name) +
-                                 words_of(key.info));
+                    add(dotted(at == std::string::npos
+                                   ? place
+                                   : std::string(place).replace(at, any_name.size(), name),
+                               key.info.name),
+                        words_of(key.info));
     }
-    return {lines.begin(), lines.end()};
+    std::vector<std::string> lines;
+    for (const auto& [key, more] : words) lines.push_back(key + more);
+    return lines;
 }
 
 }  // namespace sherd

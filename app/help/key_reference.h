@@ -25,9 +25,12 @@ std::string value_words(const KeyInfo& key);
 std::string default_words(const KeyText& key);
 
 /// Reference of the keys of scenes in lines of at most `columns` characters; 0: of any length. wanted: a
-/// table, "solver" or "sheet.fracture", or a key of it, "solver.step"; empty: all. Throws Error (input) with
-/// the nearest name if there is no such table or key.
+/// table, "solver" or "sheet.fracture", "scene" for the outermost, or a key of it, "solver.step"; empty: all.
+/// Throws Error (input) with the nearest name if there is no such table or key.
 std::string key_reference(const std::string& wanted, std::size_t columns);
+
+/// Tables of these keys in Markdown, for pages. Throws Error like key_reference().
+std::string key_tables(const std::string& wanted);
 
 /// Lines for completion, one for each key that `--set` can set: the dotted key, with the names of these
 /// sheets and obstacles, and its allowed words.

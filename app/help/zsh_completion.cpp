@@ -76,13 +76,18 @@ std::string argument_lines(const CLI::App& command, const std::string& indent) {
 constexpr const char* scene_functions =
     R"zsh(# The keys of scenes, each with the words that it may be, and with the names of the scene on the line.
 _sherd_settings() {
-    local -a lines
-    lines=(${(f)"$(_call_program settings sherd scenes --settable ${(q)words[(r)^-*]:--} 2>/dev/null)"})
-    if compset -P 1 '*='; then
-        compadd ${=${(M)lines:#${IPREFIX##*[[:space:]]}*}#* }
-    else
-        compadd -S = ${lines%% *}
+    local -a arguments lines
+    local key line
+    arguments=(${words[2,-1]:#-*})
+    lines=(${(f)"$(_call_program settings sherd scenes --settable ${(q)arguments[1]:--} 2>/dev/null)"})
+    if ! compset -P 1 '*='; then
+        compadd -S = -- ${lines%% *}
+        return
     fi
+    key=${${IPREFIX#--set=}%=}
+    for line in $lines; do
+        [[ ${line%% *} != $key ]] || compadd -- ${=${line#$key}}
+    done
 }
 
 _sherd_shipped_scenes() {

@@ -95,23 +95,24 @@ step = 1e-2
 TEST(Run, TellsOfEnergyThatTheTimeSchemeMade) {
     const test::TemporaryDirectory directory;
     std::ofstream(directory.path / "scene.toml") << R"(
-duration = 6e-4
-[sheet.falling]
+duration = 2e-3
+[sheet.plate]
 mesh = { generate = "rectangle", width = 0.06, height = 0.06, edge_length = 0.015 }
-material = { preset = "glass", thickness = 0.001 }
-velocity = [0, 0, -60]
-place = { rotate = { axis = [1, 1, 0], degrees = 70 }, translate = [0.02, 0.02, 0.06] }
-[sheet.rising]
-mesh = { generate = "rectangle", width = 0.06, height = 0.06, edge_length = 0.015 }
-material = { preset = "glass", thickness = 0.001 }
-velocity = [0, 0, 60]
+material = { preset = "steel", thickness = 0.001 }
+velocity = [0, 0, -20]
+place = { rotate = { axis = [1, 1, 0], degrees = 3 }, translate = [0, 0, 0.007] }
+[obstacle.floor]
+plane = { point = [0, 0, 0], normal = [0, 0, 1] }
+[solver]
+step = 3.5e-4
 )";
-    for (const std::string scheme : {"midpoint", "bdf2"}) {
+    // The history of BDF2 predicts an impact badly when steps are long; implicit Euler only dissipates.
+    for (const std::string scheme : {"bdf2", "implicit-euler"}) {
         const auto result = test::run_sherd(
             {"run", "scene.toml", "-o", "run.h5", "--force", "--set", "solver.scheme=" + scheme},
             directory.path);
         EXPECT_EQ(result.exit_code, 0) << result.err;
-        EXPECT_EQ(result.out.find("energy from nowhere") != std::string::npos, scheme == "midpoint")
+        EXPECT_EQ(result.out.find("energy from nowhere") != std::string::npos, scheme == "bdf2")
             << result.out;
     }
 }

@@ -58,6 +58,7 @@ WRONG = [
     ("seed = 3", "seed = 1.5"),
     ("seed = 3", "seed = 4294967296"),
     ('generate = "disc"', 'generate = "disk"'),
+    ('generate = "disc"', 'generate = "rectangle"'),
     ("radius = 0.1, ", ""),
     ("radius = 0.1", "radius = 0"),
     ("radius = 0.1", "radius = [0.1]"),

@@ -6,9 +6,8 @@
 namespace sherd {
 
 void report_conflicts(TomlTable& table, const KeyInfo& key) {
-    if (!table.has(key.name)) return;
     for (const std::string_view other : key.rules.excludes)
-        if (!other.empty() && table.has(other))
+        if (!other.empty() && table.has(key.name) && table.has(other))
             table.report(key.name, fmt::format("conflicts with {}: give one of them", other));
 }
 

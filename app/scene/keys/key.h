@@ -173,7 +173,8 @@ constexpr auto part_key(std::string_view name, std::string_view sentence, const 
                        [] { return std::vector{text_of(section)}; }};
 }
 
-/// A key with a reader of its own. inside: if it is a table, the kinds of table that it may be.
+/// A key with a reader of its own. Without forms it is one that is refused, which the reference leaves out.
+/// inside: if it is a table, the kinds of table that it may be.
 template <class Struct>
 constexpr Key<Struct> special_key(std::string_view name, Form forms, std::string_view sentence,
                                   const KeyRules& rules,

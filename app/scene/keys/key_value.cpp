@@ -13,9 +13,10 @@ namespace {
 
 template <class Integer>
 void read_integer(TomlTable& table, const KeyInfo& key, Integer& value) {
-    constexpr std::int64_t largest = std::numeric_limits<int>::max();
+    constexpr std::int64_t smallest = std::numeric_limits<int>::min(),
+                           largest = std::numeric_limits<int>::max();
     const Range& range = key.rules.range;
-    const auto least = static_cast<std::int64_t>(range.least);
+    const auto least = range.has_least() ? static_cast<std::int64_t>(range.least) : smallest;
     const auto most = range.has_most() ? static_cast<std::int64_t>(range.most) : largest;
     value = static_cast<Integer>(table.integer(key.name, least, most, value));
 }

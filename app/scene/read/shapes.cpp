@@ -204,7 +204,10 @@ void read_shape(TomlTable& table, GeneratedMesh& mesh) {
 
 std::vector<SectionText> inside_shapes() {
     std::vector<SectionText> texts;
-    for (const ShapeSection& shape : shapes) texts.push_back(text_of(shape));
+    for (const ShapeSection& shape : shapes) {
+        SectionText& text = texts.emplace_back(text_of(shape));
+        text.keys.front().info.rules.choices = std::span(shape_names).subspan(texts.size() - 1, 1);
+    }
     return texts;
 }
 

@@ -51,7 +51,7 @@ constexpr auto pin_keys =
            std::array{special_key("free", Form::names, "directions of space in which its vertices stay free",
                                   {.choices = axes, .otherwise = "none"}, read_free)});
 constexpr auto clamp_keys =
-    joined(support_keys, std::array{special_key("free", Form::names, "", {}, refuse_free)});
+    joined(support_keys, std::array{special_key("free", Form{}, "", {}, refuse_free)});
 
 void complete_symmetry(TomlTable& table, SymmetrySpec& plane) {
     plane.where = table.where("");

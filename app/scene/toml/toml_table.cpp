@@ -139,7 +139,8 @@ std::size_t TomlTable::choice_number(std::string_view key, std::span<const std::
 }
 
 void TomlTable::retired(std::string_view key, std::string_view instead) {
-    if (has(key)) report(key, fmt::format("is no key any more: {}", instead));
+    // Messages that list known keys must not offer it.
+    if (content->contains(key) && has(key)) report(key, fmt::format("is no key any more: {}", instead));
 }
 
 bool TomlTable::retired(std::string_view key, std::string_view name, std::string_view instead) {

@@ -122,7 +122,7 @@ const std::vector<BadMaterial> bad_materials{
     {"axis = {}", "scene.toml:6: sheet.plate.material.axis: needs direction, degrees or both"},
     {"axis = { degrees = 1, field = true }", "axis: needs direction, degrees or both"},
     {"axis = { direction = [0, 0, 0] }", "axis.direction: must not be zero"},
-    {"axis = { degrees = 1, encoding = \"hue\" }", "axis.encoding: unknown key"},
+    {"axis = { degrees = 1, encoding = \"hue\" }", "axis.encoding: needs texture"},
     {"axis = { texture = \"no.png\" }",
      "scene.toml:6: sheet.plate.material.axis.texture: no.png: cannot read the image: No such file"},
     {"axis = { texture = \"scene.toml\" }", "material.axis.texture: scene.toml: is not a PNG file"},

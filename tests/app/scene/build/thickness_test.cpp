@@ -195,7 +195,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         BadThickness{"nothing", "{ range = [1, 2] }", "thickness: needs one of texture, vdb and property"},
         BadThickness{"two", "{ vdb = \"a.vdb\", property = \"t\" }",
-                     "needs one of texture, vdb and property"},
+                     "vdb: conflicts with property: give one of them"},
         BadThickness{"no_range", "{ texture = \"a.png\" }",
                      "thickness: needs range, the thickness (m) of black and of white"},
         BadThickness{"range_and_scale", "{ vdb = \"a.vdb\", range = [1, 2], scale = 3 }",
