@@ -18,7 +18,8 @@ def main():
     program = pathlib.Path(sys.argv[1]).resolve()
     counter = program.parents[1] / "tests" / "benchmarks" / "frame_intersections"
     scenes = [pathlib.Path(name) for name in sys.argv[2:]] or sorted(SCENES.glob("*.toml"))
-    print("| scene | faces | steps | frames | through faces | through obstacle | lips | by (µm) | in obstacle (µm) |")
+    print("| scene | faces | steps | frames | through faces | through obstacle | crack faces | by (µm) "
+          "| in obstacle (µm) |")
     print("| --- | --- | --- | --- | --- | --- | --- | --- | --- |")
     passing = 0
     with tempfile.TemporaryDirectory() as folder:
