@@ -142,6 +142,16 @@ std::vector<PlacedSection> wanted_sections(const std::string& wanted) {
     return found;
 }
 
+/// Returns the texts of sections, each once: kinds of a table may have the same table in them.
+template <class Text>
+std::string joined_texts(const std::vector<PlacedSection>& sections, Text text_of_section) {
+    std::vector<std::string> texts;
+    for (const PlacedSection& placed : sections)
+        if (std::string text = text_of_section(placed); std::ranges::find(texts, text) == texts.end())
+            texts.push_back(std::move(text));
+    return fmt::format("{}", fmt::join(texts, "\n"));
+}
+
 }  // namespace
 
 std::vector<PlacedSection> scene_sections() {
@@ -182,16 +192,12 @@ std::string default_words(const KeyText& key) {
 }
 
 std::string key_reference(const std::string& wanted, std::size_t columns) {
-    std::vector<std::string> texts;
-    for (const PlacedSection& placed : wanted_sections(wanted))
-        texts.push_back(section_lines(placed, columns));
-    return fmt::format("{}", fmt::join(texts, "\n"));
+    return joined_texts(wanted_sections(wanted),
+                        [columns](const PlacedSection& placed) { return section_lines(placed, columns); });
 }
 
 std::string key_tables(const std::string& wanted) {
-    std::vector<std::string> tables;
-    for (const PlacedSection& placed : wanted_sections(wanted)) tables.push_back(section_table(placed));
-    return fmt::format("{}", fmt::join(tables, "\n"));
+    return joined_texts(wanted_sections(wanted), section_table);
 }
 
 std::vector<std::string> settable_lines(const std::vector<std::string>& sheets,
