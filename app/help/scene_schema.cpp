@@ -51,7 +51,7 @@ Json value_schema(const KeyText& key) {
     const auto add = [&](Form form, const auto& schema) {
         if (has_form(key.info.forms, form)) forms.push_back(schema());
     };
-    add(Form::number, [&] { return ranged; });
+    add(Form::number, [&]() -> const Json& { return ranged; });
     add(Form::integer, [&] { return number_schema(rules.range, "integer"); });
     add(Form::flag, [] { return Json{{"type", "boolean"}}; });
     add(Form::text, [] { return Json{{"type", "string"}, {"minLength", 1}}; });
@@ -60,7 +60,7 @@ Json value_schema(const KeyText& key) {
     add(Form::names, [&] { return array_schema(choice_schema(rules.choices), 1, rules.choices.size()); });
     add(Form::vector, [&] { return array_schema(number, 3, 3); });
     add(Form::pair, [&] { return array_schema(ranged, 2, 2); });
-    add(Form::rows, [&] { return rows; });
+    add(Form::rows, [&]() -> const Json& { return rows; });
     add(Form::lists_of_rows, [&] { return array_schema(rows, 0, 0); });
     add(Form::table, [&] { return inside_schema(key); });
     add(Form::tables, [&] { return array_schema(inside_schema(key), 0, 0); });
