@@ -84,6 +84,7 @@ int scenes(const ScenesOptions& options) {
         print_settable(options.settable);
         return 0;
     }
+    if (options.markdown && !options.keys) throw Error("--markdown is for --keys");
     if (options.keys) {
         print_result("{}", options.markdown ? key_tables(*options.keys)
                                             : key_reference(*options.keys, terminal_columns()));
@@ -126,9 +127,7 @@ void add_scenes(CLI::App& program, Command& chosen) {
     command->add_flag("--schema", options->schema, "For editors: the JSON Schema of scenes")
         ->excludes(copy)
         ->excludes(keys);
-    command->add_flag("--markdown", options->markdown, "For pages: tables of Markdown")
-        ->needs(keys)
-        ->group("");
+    command->add_flag("--markdown", options->markdown, "For pages: tables of Markdown")->group("");
     command->add_option("--settable", options->settable, "For completion: dotted keys of a scene")->group("");
     command->footer(
         "Any command takes the name of one in place of a file.\n"

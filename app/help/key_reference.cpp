@@ -54,10 +54,9 @@ std::string integer_words(const Range& range) {
 }
 
 std::string key_lines(const std::string& name, const KeyText& key, std::size_t width, std::size_t columns) {
-    const std::string without = default_words(key);
-    std::string text =
-        fmt::format("{}{}. {}", value_words(key.info),
-                    without.empty() ? "" : fmt::format("; default: {}", without), key.info.sentence);
+    std::string note = default_words(key);
+    if (!note.empty()) note = (key.info.rules.required ? "; " : "; default: ") + note;
+    std::string text = fmt::format("{}{}. {}", value_words(key.info), note, key.info.sentence);
     std::erase(text, '`');  // of Markdown
     const std::size_t indent = width + 4;
     return fmt::format("  {:<{}}  {}\n", name, width,
