@@ -129,7 +129,8 @@ int run(const RunOptions& options) {
                  "a recording is HDF5; name a .h5 file, of which sherd export makes others");
     const std::vector<Scene> scenes = read_scenes(options.scene);
     const Scene& first = scenes.front();
-    if (options.scene.choice.variant.empty() && !first.variant.empty() && fs::is_fifo(options.scene.file))
+    if (options.scene.choice.variant.empty() && !first.variant.empty() &&
+        std::filesystem::is_fifo(options.scene.file))
         throw Error(fmt::format(
             "{}: has variants, and each is run by a process of its own that reads it: give a file, or "
             "--variant NAME",

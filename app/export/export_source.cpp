@@ -8,6 +8,7 @@
 #include "app/export/broken_sides.h"
 #include "app/export/corner_normals.h"
 #include "app/export/export_sheet.h"
+#include "app/files/pending_file.h"
 #include "app/progress/interruption.h"
 #include "meshops/body_check.h"
 #include "meshops/error.h"

@@ -57,7 +57,7 @@ std::string key_lines(const std::string& name, const KeyText& key, std::size_t w
     std::string note = default_words(key);
     if (!note.empty()) note = (key.info.rules.required ? "; " : "; default: ") + note;
     std::string text = fmt::format("{}{}. {}", value_words(key.info), note, key.info.sentence);
-    std::erase(text, '`');  // of Markdown
+    std::erase(text, '`');  // quotes of Markdown
     const std::size_t indent = width + 4;
     return fmt::format("  {:<{}}  {}\n", name, width,
                        columns < indent + 20 ? text : wrapped(text, columns - indent - 1, indent));
@@ -201,8 +201,8 @@ std::string key_tables(const std::string& wanted) {
 
 std::vector<std::string> settable_lines(const std::vector<std::string>& sheets,
                                         const std::vector<std::string>& obstacles) {
-    std::map<std::string, std::string>
-        words;  // of each key; those of several kinds of table one after another
+    // Words of each key; kinds of a table add theirs one after another.
+    std::map<std::string, std::string> words;
     const auto add = [&](const std::string& key, const std::string& more) {
         std::string& all = words[key];
         if (all.find(more) == std::string::npos) all += more;

@@ -10,9 +10,6 @@
 namespace sherd {
 namespace {
 
-/// Below this number of unknowns minimum degree orders as well as nested dissection, and faster.
-constexpr Index nested_dissection_from = 3000;
-
 /// CHOLMOD with indices of this type.
 template <class Integer>
 struct Cholmod;

@@ -47,7 +47,7 @@ every = 0.01
 fields = ["stress"]
 """
 
-# What replaces what in GOOD, so that it is wrong by its form.
+# Replacements (old, new) that make the form of GOOD wrong.
 WRONG = [
     ("duration = 0.1", ""),
     ("duration = 0.1", "duration = 0"),

@@ -101,8 +101,8 @@ TEST_P(VibrationModels, SolveTheEquationAndAreOrthonormal) {
     }
 }
 
-// A free plate has six rigid motions, which must not displace modes in the list; too few supports leave some
-// of them.
+// A free plate has six rigid motions, and one with too few supports some; they must not displace modes in the
+// list.
 TEST(Vibration, TellsRigidMotionsApart) {
     const auto rigid = [](const Shell& shell, const ShellEnergyOptions& options = {}) {
         const Vibration found = vibration(shell, options, 3);

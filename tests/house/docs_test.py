@@ -10,8 +10,8 @@ import unittest
 TOP = pathlib.Path(__file__).resolve().parents[2]
 LICENCE = "<!-- SPDX-License-Identifier: GPL-3.0-or-later -->"
 FOLDERS = ("app", "core", "docs", "fracture", "meshops", "scenes", "tests", ".ci")
-MOST_LINES = 60  # of a folder's README
-MOST_COLUMNS = 120  # of a page, outside tables and code
+MOST_LINES = 60  # lines of a folder's README
+MOST_COLUMNS = 120  # columns of a page, outside tables and code
 SOURCES = (".h", ".cpp")
 # Extensions that a path in backticks may leave out.
 LEFT_OUT = ("", ".h", ".cpp", ".py", ".toml", "_test.cpp")
@@ -132,6 +132,9 @@ def faults_of_form(top, page):
         yield f"{page}: has not one heading #"
     if page.name == "README.md" and len(page.parts) > 1 and len(text.splitlines()) > MOST_LINES:
         yield f"{page}: has {len(text.splitlines())} lines; what is past {MOST_LINES} belongs in docs/"
+    for number, line in enumerate(text.splitlines(), 1):
+        if re.match(r"(<{7}|>{7}) ", line):
+            yield f"{page}:{number}: is the mark of a merge conflict"
     if page.parts[0] == "docs" or page.name == "README.md":
         for number, line in prose(text):
             if len(line) > MOST_COLUMNS and not line.lstrip().startswith("|") and not line.startswith("    "):
@@ -334,6 +337,11 @@ class Docs(unittest.TestCase):
     def test_long_lines_are_found(self):
         self.assert_found(self.index("a" * MOST_COLUMNS + "\n\n| " + "a" * MOST_COLUMNS))
         self.assert_found(self.index("a" * (MOST_COLUMNS + 1)), f"has {MOST_COLUMNS + 1} columns")
+
+    def test_conflicts_of_a_merge_are_found(self):
+        self.assert_found(self.index("<" * 7 + " HEAD"), "docs/index.md:6: is the mark of a merge conflict")
+        self.assert_found(self.index(">" * 7 + " other"), "is the mark of a merge conflict")
+        self.assert_found(self.index("a <" + "<" * 6 + " b"))
 
     def test_pages_to_which_nothing_leads_are_found(self):
         self.assert_found({"docs/theory/a.md": ""}, "docs/theory/a.md: no links lead to it")

@@ -13,7 +13,7 @@ import jsonschema
 # Completes sheets of which a page shows a part.
 SHEET = {"mesh": {"generate": "disc", "radius": 0.1, "edge_length": 0.02}, "material": {"preset": "glass"},
          "pin": {"boundary": True}}
-SHAPES = {"plane", "sphere", "box", "mesh", "vdb"}  # of obstacles
+SHAPES = {"plane", "sphere", "box", "mesh", "vdb"}  # shapes of obstacles
 MESHES = {"file", "given", "generate"}
 
 

@@ -25,7 +25,7 @@ INDENTED = "an indented block"
 CHECKS = {"toml": SCENES.faults_of_block, "python": PYTHON.faults, "cpp": CppSnippets(BUILD).faults,
           "sh": COMMANDS.faults, "scene-keys": COMMANDS.faults, INDENTED: COMMANDS.faults}
 UNCHECKED = ("text", "bibtex")  # output, formulas, listings
-Snippet = collections.namedtuple("Snippet", "line language text")  # of the first line in the page; text without margin
+Snippet = collections.namedtuple("Snippet", "line language text")  # line: number of the first one; text: without margin
 
 
 def margin(line):

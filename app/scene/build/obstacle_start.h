@@ -12,7 +12,7 @@ namespace sherd {
 /// or too near to it. Pinned vertices may be inside. Vertices deeper than a quarter of the thickness, and
 /// such faces, contact would push out violently or not at all: unless they are exempt, an Error names the
 /// scene's line and key, the sheet, their number and a place. Exempt starts, and shallower vertices, add
-/// warnings. The inputs are those of all sheets, in the scene's order; `all` is made from them, and the
+/// warnings. `inputs` has all sheets, in the scene's order; `all` is made from them, and the
 /// obstacles are made from the specs.
 void require_free_start(const Scene& scene, const std::vector<SheetInput>& inputs, const BreakableShell& all,
                         const std::vector<ObstacleSpec>& specs, const std::vector<Obstacle>& obstacles,

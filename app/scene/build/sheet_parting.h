@@ -15,8 +15,8 @@ namespace sherd {
 /// the thickness, with a warning that names sheet and displacement. Of two sheets the upper one is moved, and
 /// never a supported one. If this does not suffice, all stay, and overlapping faces are exempt from contact
 /// until they have separated, with a warning that names faces (numbered from 0 in each sheet) that intersect
-/// or are too near; if Scene::exempts_overlaps is not set, an Error is thrown instead. The inputs are those
-/// of all sheets, in the scene's order; `all` is made from them, and made again if one is moved.
+/// or are too near; if Scene::exempts_overlaps is not set, an Error is thrown instead. `inputs` has
+/// all sheets, in the scene's order; `all` is made from them, and made again if one is moved.
 void part_sheets(const Scene& scene, std::vector<SheetInput>& inputs, BreakableShell& all,
                  std::vector<std::string>& warnings);
 

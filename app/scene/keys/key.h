@@ -137,8 +137,7 @@ constexpr Form table_form<std::vector<Value>> = Form::table | Form::tables;
 template <auto... path>
 constexpr auto key(std::string_view name, std::string_view sentence, const KeyRules& rules = {}) {
     using Struct = typename keys::Path<path...>::Struct;
-    const Form form =
-        rules.choices.empty() ? FormOf<typename keys::Path<path...>::Value>::form : Form::choice;
+    const Form form = rules.choices.empty() ? form_of<typename keys::Path<path...>::Value> : Form::choice;
     return Key<Struct>{{name, form, rules, sentence},
                        [](TomlTable& table, const KeyInfo& info, Struct& into) {
                            read_value(table, info, keys::at<path...>(into));

@@ -16,47 +16,29 @@ namespace sherd {
 template <class Value>
 concept Enumeration = std::is_enum_v<Value>;
 
-/// The form of a plain value.
+/// Form of a plain value.
 template <class Value>
-struct FormOf;
+constexpr Form form_of = Form{};
 template <>
-struct FormOf<double> {
-    static constexpr Form form = Form::number;
-};
+inline constexpr Form form_of<double> = Form::number;
 template <>
-struct FormOf<bool> {
-    static constexpr Form form = Form::flag;
-};
+inline constexpr Form form_of<bool> = Form::flag;
 template <>
-struct FormOf<int> {
-    static constexpr Form form = Form::integer;
-};
+inline constexpr Form form_of<int> = Form::integer;
 template <>
-struct FormOf<std::int64_t> {
-    static constexpr Form form = Form::integer;
-};
+inline constexpr Form form_of<std::int64_t> = Form::integer;
 template <>
-struct FormOf<std::string> {
-    static constexpr Form form = Form::text;
-};
+inline constexpr Form form_of<std::string> = Form::text;
 template <>
-struct FormOf<std::filesystem::path> {
-    static constexpr Form form = Form::file;
-};
+inline constexpr Form form_of<std::filesystem::path> = Form::file;
 template <>
-struct FormOf<Eigen::Vector3d> {
-    static constexpr Form form = Form::vector;
-};
+inline constexpr Form form_of<Eigen::Vector3d> = Form::vector;
 template <>
-struct FormOf<Eigen::Vector2d> {
-    static constexpr Form form = Form::pair;
-};
+inline constexpr Form form_of<Eigen::Vector2d> = Form::pair;
 template <Enumeration Enum>
-struct FormOf<Enum> {
-    static constexpr Form form = Form::choice;
-};
+constexpr Form form_of<Enum> = Form::choice;
 template <class Value>
-struct FormOf<std::optional<Value>> : FormOf<Value> {};
+constexpr Form form_of<std::optional<Value>> = form_of<Value>;
 
 /// Whether a table has the retired choice of a key, which is then reported.
 bool is_retired(TomlTable& table, const KeyInfo& key);

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "app/scene/read/axis.h"
 #include "app/scene/read/map_source.h"
 
 namespace sherd {

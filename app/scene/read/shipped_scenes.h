@@ -31,8 +31,8 @@ ShippedScene shipped_scene(const std::string& name, const std::vector<ShippedSce
 /// shipped scene. Throws Error (input) with the nearest shipped scene if there is none.
 std::filesystem::path find_scene(const std::string& given);
 
-/// Returns the file that `given` names: the file of this name, or else with .toml appended, or else the study
-/// of this name that comes with the program. Returns `given` if there is none.
+/// Returns the file that `given` names: the file of this name, or else with .toml appended, or else the
+/// shipped study. Returns `given` if there is none.
 std::filesystem::path find_study(const std::string& given);
 
 /// Returns the files that a scene names and that are there, relative to the scene's folder.

@@ -226,8 +226,8 @@ TEST(SceneFracture, EveryPresetMakesASheet) {
         Error);
 }
 
-// A sheet in tension with a crack of 60 mm: it propagates straight from both tips when stress times the root
-// of pi times half its length reaches the toughness, within the error of the energy on so coarse a mesh.
+// A crack of 60 mm in a sheet in tension propagates straight from both tips when stress sqrt(pi a), a being
+// half its length, reaches the toughness, within the error of the energy on so coarse a mesh.
 TEST(SceneFracture, ACrackThatIsThereGrowsAtItsToughness) {
     const Scene scene = scene_of(R"(
 [sheet.plate]
