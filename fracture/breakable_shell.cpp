@@ -117,10 +117,10 @@ void BreakableShell::add_coincident_vertices() {
 
 void BreakableShell::visit_state(StateVisitor& visit) {
     auto& [crack_mesh, shell, rest_ancestry, lips, exemptions, materials, strengths, toughnesses,
-           art_directions, face_axes, strength_factors, toughness_factors, kept_vertices, kept_edges, time,
-           some_wait] = *this;
+           art_directions, face_axes, strength_factors, toughness_factors, kept_vertices, kept_edges,
+           waiting] = *this;
     visit(crack_mesh, shell, rest_ancestry, lips, exemptions, face_axes, strength_factors, toughness_factors,
-          kept_vertices, kept_edges, time, some_wait);
+          kept_vertices, kept_edges, waiting);
 }
 
 TriangleStencil BreakableShell::stencil(Face face) const {
@@ -198,12 +198,13 @@ void BreakableShell::add_strengths(const std::vector<SheetInput>& inputs) {
         toughnesses.back().factors.clear();
         art_directions.push_back(input.art_direction);
     }
-    set_time(0);
+    hold_back(0);
 }
 
-void BreakableShell::set_time(double now) {
-    time = now;
-    some_wait = std::ranges::any_of(art_directions, [&](const ArtDirection& one) { return now < one.after; });
+void BreakableShell::hold_back(double time) {
+    waiting.clear();
+    for (const ArtDirection& sheet : art_directions) waiting.push_back(time < sheet.after);
+    if (std::ranges::count(waiting, 1) == 0) waiting.clear();
 }
 
 std::vector<double> BreakableShell::face_areas() const {

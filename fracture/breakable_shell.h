@@ -70,8 +70,8 @@ class BreakableShell {
     /// where it cannot.
     double toughness_towards(Vertex from, const Vector3d& direction) const;
     const ArtDirection& art_direction(Index sheet) const { return art_directions[sheet]; }
-    /// Sets the time (s) that is compared with ArtDirection::after.
-    void set_time(double now);
+    /// Determines the sheets that must not fail yet at `time` (s): see ArtDirection::after.
+    void hold_back(double time);
     void forbid(Edge edge);  ///< makes an edge unbreakable
     double crack_tip_factor(Edge edge) const {
         const Index sheet = sheet_of(edge);
@@ -167,7 +167,7 @@ class BreakableShell {
     void add_footprints(std::span<const Index> faces, const OldSides* old, double sign);
 
     static constexpr double never = std::numeric_limits<double>::infinity();
-    bool waits(Edge edge) const { return some_wait && time < art_directions[sheet_of(edge)].after; }
+    bool waits(Edge edge) const { return !waiting.empty() && waiting[sheet_of(edge)] != 0; }
 
     CrackMesh crack_mesh;
     Shell shell;
@@ -181,8 +181,7 @@ class BreakableShell {
     std::vector<Vector3d> face_axes;                          ///< [F]
     std::vector<double> strength_factors, toughness_factors;  ///< [E]
     std::vector<char> kept_vertices, kept_edges;              ///< [V] and [E]
-    double time = 0;                                          ///< s
-    bool some_wait = false;  ///< whether a sheet may not fail yet (ArtDirection::after)
+    std::vector<char> waiting;  ///< [sheets] whether it must not fail yet; empty: none waits
 };
 
 }  // namespace sherd

@@ -9,9 +9,7 @@
 #include "core/contact/colliders/start_depth.h"
 #include "core/shell/mean_edge_length.h"
 #include "core/shell/position_spacing.h"
-#include "fracture/hinge_measures.h"
 #include "fracture/kept_loads.h"
-#include "fracture/residual_stress.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -74,6 +72,13 @@ BreakableShell supported(BreakableShell sheets, const std::vector<HeldVertex>& h
     return sheets;
 }
 
+/// Returns the sheets with their supports, and with the geometry of loads protected from changes of the mesh.
+BreakableShell prepared(BreakableShell sheets, const SimulationOptions& options) {
+    sheets = supported(std::move(sheets), options.held);
+    keep_loads(sheets, options.stepper.shell);
+    return sheets;
+}
+
 double largest(const VectorXd& measures) {
     return measures.size() == 0 ? 0 : measures.maxCoeff();
 }
@@ -82,70 +87,157 @@ double largest(const VectorXd& measures) {
 
 Simulation::Simulation(BreakableShell sheets, const SimulationOptions& options)
     : options(options),
-      breakable(at_start(supported(std::move(sheets), options.held))),
-      stepper(make_stepper(breakable.mechanics(), stepper_options(options, breakable.mechanics()))),
-      growth(breakable, options.stepper.shell.membrane, options.stepper.scheme == Scheme::statics),
-      fragments(breakable.mesh(), breakable.face_areas()),
+      breakable(prepared(std::move(sheets), options)),
+      breaker(breakable, options),
+      policy(options, little_fall(breakable.mechanics(), options.stepper)),
+      taken(policy.choice()),
       obstacles_touched(options.stepper.contact.obstacles.size(), 0),
       bodies_touched(options.stepper.contact.bodies.size(), 0),
-      step_size(options.stepper.step),
-      pace(little_fall(breakable.mechanics(), options.stepper)),
-      scripts(breakable.mechanics().motions.size()) {}
-
-BreakableShell Simulation::at_start(BreakableShell sheets) {
-    keep_loads(sheets, options.stepper.shell);
-    residual = residual_at_start = residual_energy(sheets, options.cracks);
-    if (!options.cracks.empty()) open_cracks(sheets);
-    release_apart(sheets, options.stepper.contact.bodies, 0);
-    return sheets;
-}
-
-void Simulation::open_cracks(BreakableShell& sheets) {
-    for (const Edge edge : options.cracks) {
-        EdgeFailure failure;
-        failure.edge = static_cast<Index>(edge);
-        failure.vertices = {static_cast<Index>(sheets.mesh().vertex(edge, 0)),
-                            static_cast<Index>(sheets.mesh().vertex(edge, 1))};
-        events.failures.push_back(failure);
-    }
-    const BreakableShell::Change change = sheets.fail(options.cracks);
-    record_change(change.cracks);
-    follow(sheets.mechanics(), change.shell, options.gauges);
+      scripts(breakable.mechanics().motions.size()) {
+    release_apart(options.stepper.contact.bodies);
+    stepper = make_stepper(breakable.mechanics(), stepper_options(options, breakable.mechanics()));
 }
 
 StepReport Simulation::step() try {
     StepReport report;
     report.step = ++steps;
-    is_resort_tried = false;
-    while (!attempt(report))
-        if (!try_otherwise(report)) give_up(report);
-    finish(report);
+    policy.begin_step();
+    for (;;) {
+        Attempt attempt = solve(report);  // forces and contact, solve
+        if (attempt) {
+            const Stopwatch watch(stepper->time_spent(), Task::breaking);
+            breakable.hold_back(time() + policy.size());
+            const Measured now = breaker.measured(*stepper);  // strains and measures of hinges
+            attempt.urgency = evaluate(now, report);
+            if (attempt) attempt = break_edges(now, report);  // break, split, carry over, solve again
+        }
+        if (attempt) break;
+        if (!policy.retry(attempt, report)) throw Error(failure(attempt), Fault::run);
+        take_scheme();
+    }
+    report.step_size = policy.size();
+    stepper->finish();
+    policy.advance();
+    report_state(report);  // record
+    enable_contact();      // contact again
+    policy.finish_step({report.peak_overload, report.stages > 0, report.contact, 0,
+                        report.kinetic + report.bending + report.membrane + report.contact});
+    take_scheme();
     return report;
 } catch (const Error&) {
     throw;
 } catch (const std::runtime_error& error) {
     // The mechanics report errors without step and time, which are added here.
-    std::ostringstream text;
-    text << "step " << steps << ", at " << (options.stepper.scheme == Scheme::statics ? "load " : "")
-         << time() << (options.stepper.scheme == Scheme::statics ? ": " : " s: ") << error.what();
-    throw Error(text.str(), Fault::run);
+    throw Error(where() + error.what(), Fault::run);
 }
 
-void Simulation::give_up(const StepReport& report) const {
-    if (urgency == Urgency::overwhelmed)
-        throw std::runtime_error(overwhelmed + "; and implicit steps from there cannot be solved, either");
+Attempt Simulation::solve(StepReport& report) {
+    StepResult result = stepper->begin(policy.size());
+    if (result) result = continue_solution(report, options.max_iterations);
+    return {result, result ? Urgency::none : policy.urgency(result)};
+}
+
+StepResult Simulation::continue_solution(StepReport& report, int max_iterations) {
+    StepResult result = stepper->solve(max_iterations);
+    report.newton_iterations += result.iterations;
+    return result;
+}
+
+Urgency Simulation::evaluate(const Measured& now, StepReport& report) {
+    ends_at_crack = options.until_crack && breaker.fails(now, stage(report), *stepper);
+    if (ends_at_crack && policy.can_halve()) {
+        ends_at_crack = false;
+        return Urgency::unsolved;
+    }
+    report.peak_strain = largest(now.hinges.strain);
+    report.peak_stress = largest(now.hinges.stress);
+    report.peak_bending_strain = largest(now.hinges.bending);
+    report.peak_overload = largest_overload(breakable, now.hinges, options.rule == BreakingRule::staged);
+    const YieldPeak yielding = yield_peak(breakable, now.strains);
+    report.peak_yield = yielding.ratio;
+    report.yielding = yielding.place;
+    return judge(now, report);
+}
+
+Urgency Simulation::judge(const Measured& now, const StepReport& report) {
+    if (!policy.can_go_explicit()) return Urgency::none;
+    const PotentialEnergies stored = stepper->energies();
+    StepActivity solved{report.peak_overload, breaker.fails(now, stage(report), *stepper), stored.contact,
+                        stepper->taken_by_scheme(), kinetic_energy(breakable.mechanics()) + stored.stored()};
+    for (const RigidBody& body : bodies()) solved.energy += body.kinetic_energy();
+    return policy.judge(solved);
+}
+
+Attempt Simulation::break_edges(const Measured& now, StepReport& report) {
+    breaker.record_measures(now.hinges);
+    if (options.rule == BreakingRule::staged && !ends_at_crack) {
+        const StepResult result = break_in_stages(now, report);
+        report.reactions = stepper->reactions();
+        return {result, result.outcome == Outcome::passage ? Urgency::passage : Urgency::none};
+    }
+    // By the paper's rule hinges break after the solution that balances the reactions.
+    report.reactions = stepper->reactions();
+    report.stages += breaker.break_at_once(now, stage(report), *stepper);
+    return {};
+}
+
+StepResult Simulation::break_in_stages(Measured now, StepReport& report) {
+    StepResult result;
+    double waited = policy.size();
+    bool is_cut_short = false;  // whether the last solution ended at its limit of iterations
+    for (;;) {
+        const BreakingStage open = stage(report, waited);
+        const Failing failing = breaker.failing_in_stage(now, open, *stepper);
+        waited = 0;
+        report.stage_cap_reached = failing.any() && report.stages == options.max_stages;
+        if (failing.any() && !report.stage_cap_reached && breaker.break_edges(failing, now, open, *stepper)) {
+            ++report.stages;
+            if (!stepper->solves_again()) return result;
+            result = continue_solution(report, iterations_between_stages);
+            if (result.outcome == Outcome::passage) return result;
+            is_cut_short = result.limited;
+        } else if (is_cut_short) {
+            result = continue_solution(report, options.max_iterations);
+            is_cut_short = false;
+        } else {
+            return result;
+        }
+        now = breaker.measured(*stepper);
+    }
+}
+
+void Simulation::take_scheme() {
+    if (policy.choice() == taken) return;
+    taken = policy.choice();
+    stepper = with_scheme(std::move(stepper), taken.scheme, taken.barriers_follow);
+}
+
+std::string Simulation::where() const {
+    const bool statics = options.stepper.scheme == Scheme::statics;
+    std::ostringstream text;
+    text << "step " << steps << ", at " << (statics ? "load " : "") << time() << (statics ? ": " : " s: ");
+    return text.str();
+}
+
+std::string Simulation::failure(const Attempt& last) const {
     const bool statics = options.stepper.scheme == Scheme::statics;
     const char* unit = statics ? "" : " s";
     std::ostringstream text;
-    text << "step " << report.step << ", at " << (statics ? "load " : "") << time() << unit << ": even ";
-    if (urgency == Urgency::passage) {
-        text << "in a step of " << step_size.size() << unit
+    text << where();
+    if (last.result.outcome == Outcome::failed) {
+        text << last.result.why;
+        if (last.urgency == Urgency::overwhelmed && options.alternates)
+            text << "; and implicit steps from there cannot be solved, either";
+        return text.str();
+    }
+    if (last.urgency == Urgency::passage) {
+        text << "even in a step of " << policy.size() << unit
              << " something passes through what it meets; a thicker or stiffer sheet, less speed, or a finer "
                 "mesh may help";
-        throw Error(text.str(), Fault::run);
+        return text.str();
     }
-    text << "a step of " << step_size.size() << unit << " cannot be solved within " << options.max_iterations
-         << " iterations; ";
+    text << "even a step of " << policy.size() << unit << " cannot be solved within "
+         << options.max_iterations << " iterations; ";
     const double farthest = breakable.mechanics().position.cwiseAbs().maxCoeff();
     if (const double spacing = position_spacing(farthest);
         spacing > coarsest_spacing * mean_edge_length(breakable.mechanics()))
@@ -163,164 +255,50 @@ void Simulation::give_up(const StepReport& report) const {
         text << "; or a moving pin or obstacle meets what cannot get out of its way";
     if (!options.stepper.contact.bodies.empty())
         text << "; or a free obstacle moves so fast that it would be beyond what it meets";
-    throw Error(text.str(), Fault::run);
+    return text.str();
 }
 
-MinimiserResult Simulation::first_solution(StepReport& report) try {
-    urgency = Urgency::unsolved;
-    if (!stepper->begin(step_size.size())) return {};
-    return solve_stage(report, options.max_iterations);
-} catch (const Error&) {
-    throw;
-} catch (const std::runtime_error& error) {
-    const bool is_explicit = stepper->scheme() == Scheme::explicit_differences;
-    if (!options.alternates || !(is_explicit || pace.is_held())) throw;
-    if (is_explicit) {
-        urgency = Urgency::overwhelmed;
-        overwhelmed = error.what();
-    }
-    return {};
-}
-
-bool Simulation::attempt(StepReport& report) {
-    MinimiserResult newton = first_solution(report);
-    if (!newton.converged) return false;
-    const Stopwatch watch(stepper->time_spent(), Task::breaking);
-    breakable.set_time(time() + step_size.size());
-    const Measured now = measured();
-    const HingeMeasures& measures = now.hinges;
-    ends_at_crack = options.until_crack && fails(now);
-    if (ends_at_crack && step_size.can_halve()) return ends_at_crack = false;
-    report_peaks(report, now);
-    urgency = judged(report, now);
-    if (urgency != Urgency::none) return false;
-    hinge_peaks.judge(breakable, measures);
-    const bool in_stages = options.rule == BreakingRule::staged && !ends_at_crack;
-    if (in_stages) newton = break_in_stages(report, newton, now);
-    // By the paper's rule hinges break after the solution that balances the reactions.
-    report.reactions = stepper->reactions();
-    if (in_stages) return newton.converged;
-    const std::vector<CrackStep> growing = next_crack_steps(now, 0);
-    if (const std::vector<Edge> failing = overloaded_edges(breakable, measures); !failing.empty())
-        break_edges(failing, measures, report.stages++);
-    if (grow(growing, report.stages)) ++report.stages;
-    return newton.converged;
-}
-
-MinimiserResult Simulation::break_in_stages(StepReport& report, MinimiserResult newton, Measured now) {
-    double waited = step_size.size();
-    bool is_cut_short = false;  // whether the last solution ended at its limit of iterations
-    for (;;) {
-        const std::vector<Edge> failing = allowed(most_overloaded_edges(breakable, now.hinges));
-        const std::vector<CrackStep> growing = next_crack_steps(now, waited);
-        waited = 0;
-        const bool any = !failing.empty() || !growing.empty();
-        report.stage_cap_reached = any && report.stages == options.max_stages;
-        bool broken = false;
-        if (any && !report.stage_cap_reached) {
-            if (!failing.empty()) break_edges(failing, now.hinges, report.stages);
-            broken = grow(growing, report.stages) || !failing.empty();
-        }
-        if (broken) {
-            ++report.stages;
-            if (!stepper->solves_again()) return newton;
-            newton = solve_stage(report, iterations_between_stages);
-            if (newton.passes) return newton;
-            is_cut_short = newton.limited;
-        } else if (is_cut_short) {
-            newton = solve_stage(report, options.max_iterations);
-            is_cut_short = false;
-        } else {
-            return newton;
-        }
-        now = measured();
-    }
-}
-
-std::vector<CrackStep> Simulation::next_crack_steps(const Measured& now, double waited) {
-    if (!growth.needed()) return {};
-    Judged judged{now.strains, now.hinges, time(), time() + step_size.size(), waited, {}, {}};
-    judged.is_opening = [this](Index edge) { return stepper->held(edge) > 0; };
-    // In explicit steps, of fast plates, energy oscillates too much; hinges that are not coupled have no
-    // usable energy.
-    if (stepper->scheme() != Scheme::explicit_differences && stepper->coupled_bending() != nullptr &&
-        !growth.tips().empty())
-        judged.equilibrium = {stepper->position, stepper->elastic_gradient(), stepper->lip_forces(),
-                              stepper->coupled_bending()};
-    return growth.next(judged);
-}
-
-bool Simulation::fails(const Measured& now) {
-    return !overloaded_edges(breakable, now.hinges).empty() || !next_crack_steps(now, 0).empty();
-}
-
-Simulation::Measured Simulation::measured() const {
-    Measured now;
-    now.strains.membrane = stepper->face_strains();
-    const std::optional<Eigen::Matrix3Xd> coupled = stepper->coupled_curvatures();
-    if (growth.needed() || breakable.yields())
-        now.strains.curvature = coupled ? *coupled : stepper->face_curvatures();
-    now.hinges = hinge_measures(breakable, stepper->position, coupled, now.strains.membrane,
-                                stepper->kept_curvatures());
-    return now;
-}
-
-MinimiserResult Simulation::solve_stage(StepReport& report, int max_iterations) {
-    const MinimiserResult result = stepper->solve(max_iterations);
-    report.newton_iterations += result.iterations;
-    if (result.passes) urgency = Urgency::passage;
-    return result;
-}
-
-void Simulation::update_fragments() {
-    const Stopwatch watch(stepper->time_spent(), Task::breaking);
-    const Index before = fragments.count();
-    fragments.update(breakable.mesh(), breakable.face_areas());
-    for (Index fragment = before; fragment < fragments.count(); ++fragment)
-        events.births.push_back({0, steps, fragment, fragments.parents()[fragment]});
-}
-
-bool Simulation::release_apart(BreakableShell& sheets, const std::vector<RigidBody>& bodies,
-                               double time) const {
+bool Simulation::release_apart(const std::vector<RigidBody>& bodies) {
     const ContactOptions& contact = options.stepper.contact;
-    const bool of_sheets = contact.sheets && sheets.release_apart();
-    const bool of_colliders = shrink_start_depths(sheets.mechanics(), contact.obstacles, bodies, time);
+    const bool of_sheets = contact.sheets && breakable.release_apart();
+    const bool of_colliders = shrink_start_depths(breakable.mechanics(), contact.obstacles, bodies, time());
     return of_sheets || of_colliders;
 }
 
-void Simulation::report_peaks(StepReport& report, const Measured& measured) const {
-    const HingeMeasures& measures = measured.hinges;
-    report.peak_strain = largest(measures.strain);
-    report.peak_stress = largest(measures.stress);
-    report.peak_bending_strain = largest(measures.bending);
-    report.peak_overload = largest_overload(breakable, measures, options.rule == BreakingRule::staged);
-    const YieldPeak yielding = yield_peak(breakable, measured.strains);
-    report.peak_yield = yielding.ratio;
-    report.yielding = yielding.place;
+void Simulation::enable_contact() {
+    // Contacts are those of the stepper that made the step; one of another scheme has yet to begin.
+    const Stopwatch watch(stepper->time_spent(), Task::contact);
+    if (release_apart(bodies())) stepper->topology_changed({});
 }
 
-void Simulation::finish(StepReport& report) {
-    report.step_size = step_size.size();
-    stepper->finish();
-    hinge_peaks.finish_step();
-    step_size.advance();
+void Simulation::report_state(StepReport& report) {
     report.time = time();
     report.load = stepper->load();
-    if (report.stages > 0) update_fragments();
-    for (TipRecord& tip : growth.records(breakable.mechanics().position, time())) {
-        tip.step = steps;
-        events.tips.push_back(tip);
+    {
+        const Stopwatch watch(stepper->time_spent(), Task::breaking);
+        breaker.finish_step(steps, time(), report.stages > 0);
     }
-    set_time(events, steps, time());
+    report_energies(report);
+    report_touch(report);
+    report_gauges(report);
+    report.lip_overlap = stepper->lip_overlap();
+    report.exempt_pairs = static_cast<Index>(breakable.exempt_pairs());
+    report.fragments = breaker.fragments().count();
+    report.is_explicit = policy.is_explicit();
+    if (const auto face = stepper->fastest_triangle())
+        report.fastest = face_place(breakable.mechanics(), *face);
+}
+
+void Simulation::report_energies(StepReport& report) const {
     const PotentialEnergies potential = stepper->energies();
     report.kinetic = kinetic_energy(breakable.mechanics());
     report.bending = potential.bending;
     report.membrane = potential.membrane;
     report.gravity = potential.gravity;
     report.contact = potential.contact;
-    report.residual = residual;
+    report.residual = breaker.residual();
     static_cast<EnergyBalance&>(report) = stepper->balance();
-    report.lost_to_cracks += residual_at_start - residual;
+    report.lost_to_cracks += breaker.residual_taken();
     report.linear_momentum = linear_momentum(breakable.mechanics());
     report.angular_momentum = angular_momentum(breakable.mechanics());
     for (const RigidBody& body : bodies()) {
@@ -328,23 +306,9 @@ void Simulation::finish(StepReport& report) {
         report.linear_momentum += body.mass * body.velocity;
         report.angular_momentum += body.mass * body.centre.cross(body.velocity) + body.angular_momentum;
     }
-    add_touch(report);
-    read_gauges(report);
-    report.lip_overlap = stepper->lip_overlap();
-    report.exempt_pairs = static_cast<Index>(breakable.exempt_pairs());
-    report.fragments = fragments.count();
-    report.is_explicit = stepper->scheme() == Scheme::explicit_differences;
-    if (const auto face = stepper->fastest_triangle())
-        report.fastest = face_place(breakable.mechanics(), *face);
-    {
-        // Contacts are those of the stepper that made the step; one of another scheme has yet to begin.
-        const Stopwatch watch(stepper->time_spent(), Task::contact);
-        if (release_apart(breakable, bodies(), time())) stepper->topology_changed({});
-    }
-    pace_on(report);
 }
 
-void Simulation::add_touch(StepReport& report) {
+void Simulation::report_touch(StepReport& report) {
     const Touch touch = stepper->touch();
     report.contacts = static_cast<Index>(touch.vertices.size());
     report.obstacle_overlap = touch.deepest;
@@ -352,14 +316,14 @@ void Simulation::add_touch(StepReport& report) {
     for (const std::size_t body : touch.bodies) bodies_touched[body] = 1;
 }
 
-void Simulation::read_gauges(StepReport& report) const {
+void Simulation::report_gauges(StepReport& report) const {
     const Shell& shell = breakable.mechanics();
     Eigen::Matrix3Xd strains, curvatures;
-    if (std::ranges::any_of(options.gauges, [](const Gauge& gauge) { return gauge.fields.any(); })) {
+    if (std::ranges::any_of(gauges(), [](const Gauge& gauge) { return gauge.fields.any(); })) {
         strains = stepper->face_strains();
         curvatures = stepper->face_curvatures();
     }
-    for (const Gauge& gauge : options.gauges) {
+    for (const Gauge& gauge : gauges()) {
         std::optional<FaceState> state;
         if (gauge.fields.any())
             state = face_state(shell, gauge.face, strains.col(gauge.face), curvatures.col(gauge.face));
@@ -367,21 +331,28 @@ void Simulation::read_gauges(StepReport& report) const {
     }
 }
 
+void Simulation::break_by_hand(std::span<const Edge> edges) {
+    require_hinges(breakable, edges);
+    const HingeMeasures measures = breaker.measured(*stepper).hinges;
+    // A change of the shell needs an open step. The next begin() discards that step and books the energy that
+    // is lost.
+    if (const StepResult begun = stepper->begin(policy.size()); begun.outcome == Outcome::failed)
+        throw Error(where() + begun.why, Fault::run);
+    breaker.break_given(edges, measures, {steps, time(), time(), 0, 0}, *stepper);
+    stepper->position = breakable.mechanics().position;
+    breaker.finish_given(steps, time());
+}
+
 void Simulation::visit_state(StateVisitor& visit) {
-    auto& [options, steps, events, residual, residual_at_start, breakable, stepper, growth, fragments,
-           hinge_peaks, obstacles_touched, bodies_touched, step_size, pace, urgency, overwhelmed,
-           is_last_resort, is_resort_tried, ends_at_crack, forbidden, grown, scripts] = *this;
-    // The restored state belongs to the scheme of the stepper that wrote it.
-    Scheme scheme = stepper->scheme();
-    const bool was_last_resort = is_last_resort;
-    visit(scheme, is_last_resort);
-    if (scheme != stepper->scheme() || is_last_resort != was_last_resort) change_scheme(scheme);
-    visit(options.gauges, steps, events, residual, breakable, stepper, growth, fragments, hinge_peaks,
-          obstacles_touched, bodies_touched, step_size, pace, ends_at_crack, forbidden, grown);
+    auto& [options, steps, breakable, breaker, policy, stepper, taken, obstacles_touched, bodies_touched,
+           ends_at_crack, scripts] = *this;
+    visit(policy);
+    take_scheme();  // the restored state belongs to the scheme of the stepper that wrote it
+    visit(steps, breakable, stepper, breaker, obstacles_touched, bodies_touched, ends_at_crack);
 }
 
 Snapshot Simulation::snapshot(const FaceFieldChoice& fields) const {
-    Snapshot snapshot = take_snapshot(breakable, fragments.of_face());
+    Snapshot snapshot = take_snapshot(breakable, breaker.fragments().of_face());
     snapshot.step = steps;
     snapshot.time = time();
     snapshot.edge_held = held_shares(snapshot.edge_state, *stepper);
@@ -389,10 +360,6 @@ Snapshot Simulation::snapshot(const FaceFieldChoice& fields) const {
         snapshot.fields =
             face_fields(breakable.mechanics(), stepper->face_strains(), stepper->face_curvatures(), fields);
     return snapshot;
-}
-
-CrackEvents Simulation::take_events() {
-    return std::exchange(events, {});
 }
 
 }  // namespace sherd

@@ -5,12 +5,12 @@
 
 namespace sherd {
 
-Contact::Contact(const Shell& shell, ContactOptions given, const Vector3d& gravity, const Threads& threads)
+Contact::Contact(const Shell& shell, ContactOptions given, const ContactStart& start, const Vector3d& gravity,
+                 const Threads& threads)
     : shell(shell), options(std::move(given)), lips(shell.lips) {
     const std::vector<Obstacle>& obstacles = options.obstacles;
-    if (!options.bodies.empty())
-        body_contact =
-            std::make_unique<BodyContact>(shell, options.bodies, obstacles, gravity, options.crossed);
+    if (!start.bodies.empty())
+        body_contact = std::make_unique<BodyContact>(shell, start.bodies, obstacles, gravity, start.crossed);
     for (const Obstacle& obstacle : obstacles)
         obstacle_contact.push_back(
             std::make_unique<ObstacleContact>(shell, obstacle, obstacle_contact.size()));
@@ -35,8 +35,8 @@ std::vector<Energy*> Contact::frictions() {
     return {sheet_friction.get()};
 }
 
-void Contact::require_apart() const {
-    if (sheet_contact) sheet_contact->require_apart(shell.position);
+std::optional<std::string> Contact::overlap() const {
+    return sheet_contact ? sheet_contact->overlap(shell.position) : std::nullopt;
 }
 
 double Contact::free_way(const Positions& motion) {

@@ -19,8 +19,8 @@ class Contact {
   public:
     /// The shell must outlive this object. gravity: m/s^2, acts on the bodies. threads: share the contact of
     /// sheets.
-    Contact(const Shell& shell, ContactOptions options, const Vector3d& gravity,
-            const Threads& threads = Threads());
+    Contact(const Shell& shell, ContactOptions options, const ContactStart& start, const Vector3d& gravity,
+            const Threads& threads);
     Contact(const Contact&) = delete;  // energies refer to its obstacles
 
     /// The contact energies, in the order in which they begin a step and are summed.
@@ -30,8 +30,8 @@ class Contact {
 
     /// Whether there is no barrier: at most vertices collide with obstacles, by springs.
     bool empty() const { return !body_contact && !sheet_contact; }
-    /// Throws std::runtime_error if sheets overlap at the beginning of the step.
-    void require_apart() const;
+    /// A message if sheets overlap at the beginning of the step; else nothing.
+    std::optional<std::string> overlap() const;
     /// Fraction, 0 to 1, of a motion [3, V] m from the beginning of the step that is free of collisions,
     /// while obstacles move to their poses at its end.
     double free_way(const Positions& motion);

@@ -7,11 +7,10 @@
 namespace sherd {
 
 struct MinimiserResult {
-    int iterations = 0;  ///< number of substeps in explicit steps
+    int iterations = 0;
     bool converged = false;
     bool limited = false;   ///< whether it ended because of the limit on iterations
     double correction = 0;  ///< m, largest coordinate of the last correction
-    bool passes = false;    ///< whether surfaces cross in a step to this solution: see Contact
 };
 
 /// Finds the minimum of a potential. It may keep patterns, orderings and factors from one call to the next,

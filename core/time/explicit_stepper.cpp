@@ -40,10 +40,10 @@ VectorXd free_mass(const Shell& shell) {
 }  // namespace
 
 ExplicitStepper::ExplicitStepper(Shell& shell, const StepperOptions& options, StepperStart start)
-    : Stepper(shell, options, std::move(start)),
+    : Stepper(shell, options, start),
       threads(options.threads),
       elastic_gradient(shell, forces, options.shell, threads),
-      contact(shell, options.contact, options.gravity, threads),
+      contact(shell, options.contact, start.contact, options.gravity, threads),
       elastic(forces.elastic()),
       step{0, options.step, options.step, shell.position, shell.velocity, {}},
       length(options.step),
@@ -64,7 +64,14 @@ Positions ExplicitStepper::Forces::sum() const {
     return all;
 }
 
-bool ExplicitStepper::begin(double of_step) {
+StepResult ExplicitStepper::begin(double of_step) try {
+    open(of_step);
+    return {};
+} catch (const std::runtime_error& error) {
+    return {Outcome::failed, error.what()};
+}
+
+void ExplicitStepper::open(double of_step) {
     discard();
     step = {time, of_step, of_step, shell.position, shell.velocity, {}};
     position = shell.position;
@@ -82,7 +89,6 @@ bool ExplicitStepper::begin(double of_step) {
     choose_substep();
     if (first || made) feel();
     first = made = false;
-    return true;
 }
 
 void ExplicitStepper::discard() {
@@ -186,9 +192,14 @@ void ExplicitStepper::measure_vertices() {
     }
 }
 
-MinimiserResult ExplicitStepper::solve(int) {
+StepResult ExplicitStepper::solve(int) try {
     const Stopwatch watch(spent, Task::other);  // time that no other stopwatch measures
-    if (made) return {0, true, 0};
+    return {Outcome::done, {}, made ? 0 : make_open_step()};
+} catch (const std::runtime_error& error) {
+    return {Outcome::failed, error.what()};
+}
+
+int ExplicitStepper::make_open_step() {
     const OpeningEdges opening_then = opening;
     int made_substeps = make_step();
     while (!contact.end(step, position)) {
@@ -196,13 +207,13 @@ MinimiserResult ExplicitStepper::solve(int) {
         made_substeps += make_step_again();
     }
     ledger.solved(stored());
-    return {made_substeps, true, 0};
+    return made_substeps;
 }
 
 int ExplicitStepper::make_step_again() {
     ledger.scheme_changed();  // stiff contact springs under load may have been replaced
     try {
-        begin(step.length);
+        open(step.length);
         if (substeps > most_again) ExplicitContact::refuse_passage();
         return make_step();
     } catch (const std::runtime_error&) {  // an error about too many substeps does not name the impact

@@ -25,10 +25,10 @@ class ExplicitStepper : public Stepper {
         : ExplicitStepper(shell, options, stepper_start(shell, options)) {}
 
     using Stepper::begin;
-    bool begin(double length) override;
+    StepResult begin(double length) override;
     /// Makes the whole step, and repeats it with stiffer contact if surfaces would pass through each other.
     /// The iterations of the result are substeps.
-    MinimiserResult solve(int max_iterations) override;
+    StepResult solve(int max_iterations) override;
     bool solves_again() const override { return false; }
     double held(Index edge) const override { return opening.held(edge); }
     double taken_by_scheme() override { return ledger.taken_by_scheme(all_work(), stored()); }
@@ -64,6 +64,9 @@ class ExplicitStepper : public Stepper {
             visit(elastic, damping, opening, outer, contact);
         }
     };
+    // Steps throw std::runtime_error where they cannot continue, and return the number of substeps made.
+    void open(double length);
+    int make_open_step();
     void discard() override;
     double stored_in_contact() const override { return contact.stored_energy(position); }
     PotentialEnergies elastic_energies() const override;

@@ -29,13 +29,13 @@ std::unique_ptr<Minimiser> minimiser_of(const StepperOptions& options, const Thr
 }  // namespace
 
 ImplicitStepper::ImplicitStepper(Shell& shell, const StepperOptions& options, StepperStart start)
-    : Stepper(shell, options, std::move(start)),
+    : Stepper(shell, options, start),
       scheme(time_scheme(options.scheme)),
       inertia(shell, options.scheme == Scheme::statics ? Vector3d::Zero() : options.gravity),
       loads(forces.loads()),
       threads(options.threads),
       elastic(shell, forces, options.shell, threads),
-      contact(shell, options.contact, options.gravity, threads),
+      contact(shell, options.contact, start.contact, options.gravity, threads),
       potential(shell, all_energies(), spent, threads),
       minimiser(minimiser_of(options, threads)) {
     step = scheme->begin(shell, contact.bodies(), time, options.step);
@@ -59,7 +59,7 @@ std::vector<Energy*> ImplicitStepper::all_energies() {
     return all;
 }
 
-bool ImplicitStepper::begin(double length) {
+StepResult ImplicitStepper::begin(double length) {
     step = scheme->begin(shell, contact.bodies(), time, length);
     // The shorter the step, the stiffer is inertia, and the larger the force that an error of the positions
     // leaves.
@@ -71,8 +71,8 @@ bool ImplicitStepper::begin(double length) {
     ledger.begin(in_shell + contact.stored_at_start(), moving(shell.velocity, shell.position));
     opening.begin_step(step, shell.position);
     unbalanced.resize(3, 0);
-    require_apart();
-    return predict();
+    if (auto message = overlap()) return {Outcome::failed, std::move(*message)};
+    return {predict() ? Outcome::done : Outcome::too_long};
 }
 
 bool ImplicitStepper::predict() {
@@ -94,10 +94,10 @@ bool ImplicitStepper::predict() {
     return false;
 }
 
-void ImplicitStepper::require_apart() {
-    if (contact.empty()) return;
+std::optional<std::string> ImplicitStepper::overlap() {
+    if (contact.empty()) return std::nullopt;
     const Stopwatch watch(spent, Task::contact);
-    contact.require_apart();
+    return contact.overlap();
 }
 
 double ImplicitStepper::free_way(const Positions& motion) {
@@ -112,24 +112,29 @@ Positions ImplicitStepper::pushed_along() const {
     return pushed;
 }
 
-MinimiserResult ImplicitStepper::solve(int max_iterations) {
+StepResult ImplicitStepper::solve(int max_iterations) {
     const Stopwatch watch(spent, Task::other);  // except what the energies and the solver book themselves
-    MinimiserResult result;
-    try {
-        result = path ? path->solve(potential, loads, step, max_iterations, position)
-                      : minimiser->minimise(potential, max_iterations, position);
-    } catch (const IndefiniteMatrix&) {
-        // With the inertia of a shorter step the matrix may be positive definite.
-    }
-    if (result.converged && !contact.empty()) {
+    StepResult result = minimise(max_iterations);
+    if (result && !contact.empty()) {
         const Stopwatch of_contact(spent, Task::contact);
-        result.passes = contact.passes(step, position);
-        result.converged = !result.passes && contact.bodies_arrive(position);
+        if (contact.passes(step, position))
+            result.outcome = Outcome::passage;
+        else if (!contact.bodies_arrive(position))
+            result.outcome = Outcome::too_long;
     }
     ledger.solved(stored());
     opening.solved(position);
     unbalanced.resize(3, 0);
     return result;
+}
+
+StepResult ImplicitStepper::minimise(int max_iterations) try {
+    const MinimiserResult found = path ? path->solve(potential, loads, step, max_iterations, position)
+                                       : minimiser->minimise(potential, max_iterations, position);
+    return {found.converged ? Outcome::done : Outcome::unsolved, {}, found.iterations, found.limited};
+} catch (const IndefiniteMatrix& error) {
+    // With the inertia of a shorter step the matrix may be positive definite.
+    return {Outcome::unsolved, error.what()};
 }
 
 void ImplicitStepper::topology_changed(const ShellChange& change) {

@@ -24,8 +24,8 @@ class ImplicitStepper : public Stepper {
         : ImplicitStepper(shell, options, stepper_start(shell, options)) {}
 
     using Stepper::begin;
-    bool begin(double length) override;
-    MinimiserResult solve(int max_iterations) override;
+    StepResult begin(double length) override;
+    StepResult solve(int max_iterations) override;
     bool solves_again() const override { return true; }
     void topology_changed(const ShellChange& change) override;
     void finish() override;
@@ -48,7 +48,9 @@ class ImplicitStepper : public Stepper {
     /// vertices inserted since then.
     Positions newly_unbalanced(std::span<const Heir> heirs);
     std::vector<Energy*> all_energies();
-    void require_apart();
+    std::optional<std::string> overlap();
+    /// Moves `position` to the minimum, or to the equilibrium, without further bookkeeping.
+    StepResult minimise(int max_iterations);
     /// Moves `position` towards the prediction; returns false if vertices or obstacles with prescribed motion
     /// do not arrive.
     bool predict();

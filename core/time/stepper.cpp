@@ -33,7 +33,7 @@ std::unique_ptr<Stepper> stepper_of(Shell& shell, const StepperOptions& options,
 }  // namespace
 
 StepperStart stepper_start(const Shell& shell, const StepperOptions& options) {
-    return {ShellEnergies(shell, shell_options(shell, options))};
+    return {ShellEnergies(shell, shell_options(shell, options)), {options.contact.bodies}};
 }
 
 std::unique_ptr<Stepper> make_stepper(Shell& shell, const StepperOptions& options) {
@@ -44,16 +44,18 @@ std::unique_ptr<Stepper> with_scheme(std::unique_ptr<Stepper> before, Scheme sch
     before->discard();
     StepperOptions options = before->options;
     options.scheme = scheme;
-    options.contact.bodies = before->bodies();
-    options.contact.crossed = before->crossed();
     options.contact.barriers_follow = barriers_follow;
     before->forces.damp(shell_options(before->shell, options));
     before->ledger.scheme_changed();
     return stepper_of(before->shell, options,
-                      {std::move(before->forces), before->ledger, before->spent, before->time});
+                      {std::move(before->forces),
+                       {before->bodies(), before->crossed()},
+                       before->ledger,
+                       before->spent,
+                       before->time});
 }
 
-Stepper::Stepper(Shell& shell, const StepperOptions& options, StepperStart start)
+Stepper::Stepper(Shell& shell, const StepperOptions& options, StepperStart& start)
     : position(shell.position),
       spent(start.spent),
       shell(shell),

@@ -7,9 +7,9 @@
 #include "core/contact/colliders/touch.h"
 #include "core/contact/contact_options.h"
 #include "core/forces/shell_energies.h"
-#include "core/solver/minimiser.h"
 #include "core/state_visitor.h"
 #include "core/time/energy_ledger.h"
+#include "core/time/step_result.h"
 #include "core/time_spent.h"
 
 namespace sherd {
@@ -44,6 +44,7 @@ struct PotentialEnergies {
 /// State of a run that does not depend on the scheme.
 struct StepperStart {
     ShellEnergies forces;
+    ContactStart contact;
     EnergyLedger ledger = {};
     TimeSpent spent = {};
     double time = 0;  ///< s
@@ -57,12 +58,11 @@ class Stepper {
     Stepper(const Stepper&) = delete;  // the energies refer to the shell
 
     /// Starts a step of StepperOptions::step, or of `length` s, from the shell's positions and velocities. An
-    /// open step is discarded. Returns false if the step is too long for prescribed motions. Throws
-    /// std::runtime_error if sheets overlap.
-    bool begin() { return begin(options.step); }
-    virtual bool begin(double length) = 0;
+    /// open step is discarded. Outcomes besides `done` are `too_long`, and `failed`, as where sheets overlap.
+    StepResult begin() { return begin(options.step); }
+    virtual StepResult begin(double length) = 0;
     /// Advances `position` towards the end of the step, by at most `max_iterations` iterations.
-    virtual MinimiserResult solve(int max_iterations) = 0;
+    virtual StepResult solve(int max_iterations) = 0;
     /// Whether a change of the shell changes the end of the open step.
     virtual bool solves_again() const = 0;
     /// Must be called when the shell has other vertices, triangles, hinges or crack faces (lips). New and
@@ -122,8 +122,8 @@ class Stepper {
     Positions position;  ///< [3, V] m, at the end of the open step
 
   protected:
-    /// The shell must outlive this object.
-    Stepper(Shell& shell, const StepperOptions& options, StepperStart start);
+    /// The shell must outlive this object. Takes all of the start but `contact`.
+    Stepper(Shell& shell, const StepperOptions& options, StepperStart& start);
     /// Reverts what an open step has changed besides `position`.
     virtual void discard() {}
     virtual double stored_in_contact() const = 0;  ///< J, elastic energy of contact at `position`
@@ -145,7 +145,7 @@ class Stepper {
 
     mutable TimeSpent spent;  // const functions book their time, too
     Shell& shell;
-    StepperOptions options;
+    const StepperOptions options;
     ShellEnergies forces;
     EnergyLedger ledger;
     double time = 0;  ///< s, end of the finished steps

@@ -30,7 +30,7 @@ void advance(Shell& shell, const StepperOptions& options, int count, double thic
     ImplicitStepper time_step(shell, options);
     for (int i = 1; i <= count; ++i) {
         ASSERT_TRUE(time_step.begin()) << "step " << i;
-        ASSERT_TRUE(time_step.solve(200).converged) << "step " << i;
+        ASSERT_TRUE(time_step.solve(200)) << "step " << i;
         time_step.finish();
         ASSERT_GT(gap(shell, options.contact.obstacles[0], i * options.step), 0.05 * thickness)
             << "step " << i;
@@ -128,7 +128,7 @@ TEST(ColliderContact, WhatIsHeldInsideDoesNotMeetItsHolder) {
     ImplicitStepper time_step(shell, options);
     for (int i = 0; i < 50; ++i) {
         ASSERT_TRUE(time_step.begin());
-        ASSERT_TRUE(time_step.solve(100).converged);
+        ASSERT_TRUE(time_step.solve(100));
         time_step.finish();
     }
     EXPECT_LT(shell.position.row(2).minCoeff(), -5e-3) << "it hangs";

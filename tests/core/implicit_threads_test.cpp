@@ -28,8 +28,8 @@ auto falling_plates(Method method, BendingModel bending, int threads) {
     int iterations = 0;
     for (int i = 0; i < 10; ++i) {
         EXPECT_TRUE(stepper.begin());
-        const MinimiserResult result = stepper.solve(100);
-        EXPECT_TRUE(result.converged) << i;
+        const StepResult result = stepper.solve(100);
+        EXPECT_TRUE(result) << i;
         iterations += result.iterations;
         stepper.finish();
     }

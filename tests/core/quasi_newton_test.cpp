@@ -75,8 +75,8 @@ int iterations(int steps, Shell shell, StepperOptions options, Method method) {
     int sum = 0;
     for (int i = 0; i < steps; ++i) {
         EXPECT_TRUE(stepper.begin());
-        const MinimiserResult result = stepper.solve(200);
-        EXPECT_TRUE(result.converged);
+        const StepResult result = stepper.solve(200);
+        EXPECT_TRUE(result);
         sum += result.iterations;
         stepper.finish();
     }

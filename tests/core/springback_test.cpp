@@ -57,7 +57,7 @@ std::unique_ptr<Stepper> released(Shell& shell, double step, int count) {
     std::unique_ptr<Stepper> stepper = make_stepper(shell, options);
     for (int i = 0; i < count; ++i) {
         EXPECT_TRUE(stepper->begin());
-        EXPECT_TRUE(stepper->solve(1000).converged);  // the number of iterations in so long a step is chaotic
+        EXPECT_TRUE(stepper->solve(1000));  // the number of iterations in so long a step is chaotic
         stepper->finish();
     }
     return stepper;

@@ -27,7 +27,7 @@ RigidBody fast_ball(const Vector3d& centre, const Vector3d& velocity) {
 bool run(ImplicitStepper& time_step, double step, double duration) {
     double length = step;
     for (double time = 0; time < duration * (1 - 1e-9);) {
-        if (time_step.begin(length) && time_step.solve(50).converged) {
+        if (time_step.begin(length) && time_step.solve(50)) {
             time_step.finish();
             time += length;
             length = std::min(2 * length, step);

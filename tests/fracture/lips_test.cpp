@@ -56,8 +56,8 @@ class BrokenStrip {
     /// Makes one step and checks the invariants.
     void advance() {
         time_step->begin();
-        const MinimiserResult result = time_step->solve(50);
-        EXPECT_TRUE(result.converged);
+        const StepResult result = time_step->solve(50);
+        EXPECT_TRUE(result);
         time_step->finish();
         largest_overlap = std::max(largest_overlap, time_step->lip_overlap());
         if (sheet.release_apart()) time_step->topology_changed({});
@@ -174,7 +174,7 @@ TEST(BrokenStrip, LipsThatCrossAreNotLeftToTheBarrier) {
     strip.sheet.release_apart();
     EXPECT_FALSE(strip.sheet.mechanics().twins.empty());
     strip.time_step->topology_changed({});
-    EXPECT_NO_THROW(strip.time_step->begin());
+    EXPECT_TRUE(strip.time_step->begin());
 
     for (Eigen::Index v = 0; v < x.cols(); ++v)
         if (!strip.on_left[v]) x(0, v) += test::glass.thickness;

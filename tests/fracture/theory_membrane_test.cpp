@@ -122,10 +122,10 @@ class PinchedCylinder {
             stepper.begin();
             stepper.position = shell.position;
             const auto begin = std::chrono::steady_clock::now();
-            const MinimiserResult result = stepper.solve(500);
+            const StepResult result = stepper.solve(500);
             seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
             iterations += result.iterations;
-            EXPECT_TRUE(result.converged);
+            EXPECT_TRUE(result);
             stepper.finish();
         }
         return shell.rest(2, top()) - shell.position(2, top());

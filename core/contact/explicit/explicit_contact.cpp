@@ -16,12 +16,12 @@ constexpr std::uint8_t most_firm = 2, most_halvings = 3;
 
 }  // namespace
 
-ExplicitContact::ExplicitContact(const Shell& shell, ContactOptions given, const Vector3d& gravity,
-                                 const Threads& threads)
+ExplicitContact::ExplicitContact(const Shell& shell, ContactOptions given, const ContactStart& start,
+                                 const Vector3d& gravity, const Threads& threads)
     : options(std::move(given)),
       shell(shell),
       threads(threads),
-      bodies(shell, options.bodies, options.obstacles, gravity, options.crossed),
+      bodies(shell, start.bodies, options.obstacles, gravity, start.crossed),
       lips(shell.lips) {
     const std::vector<Obstacle>& obstacles = options.obstacles;
     for (const Obstacle& obstacle : obstacles) at_vertices.emplace_back(shell, obstacle, at_vertices.size());

@@ -19,8 +19,8 @@ namespace sherd {
 class ExplicitContact {
   public:
     /// The shell must outlive this object. gravity: m/s^2, acts on the bodies.
-    ExplicitContact(const Shell& shell, ContactOptions options, const Vector3d& gravity,
-                    const Threads& threads = Threads());
+    ExplicitContact(const Shell& shell, ContactOptions options, const ContactStart& start,
+                    const Vector3d& gravity, const Threads& threads);
     ExplicitContact(const ExplicitContact&) = delete;  // parts refer to its obstacles
 
     /// Begins a step at `time` (s); first: whether it is the first of this object.

@@ -115,12 +115,13 @@ Positions SheetContact::pushed_along(const Positions& x) const {
     return pushed;
 }
 
-void SheetContact::require_apart(const Positions& x) const {
+std::optional<std::string> SheetContact::overlap(const Positions& x) const {
     const Positions& all = with(start, x);
     for (const ContactPair& pair : near.active_pairs(all)) {
         const double apart = distance(pair, columns(all, pair.vertices));
-        if (!(apart > pair.minimum())) throw std::runtime_error(message(surface(), pair, apart));
+        if (!(apart > pair.minimum())) return message(surface(), pair, apart);
     }
+    return std::nullopt;
 }
 
 bool SheetContact::passes(const StepContext& step, const Positions& x, const Positions& end_of_shell) const {

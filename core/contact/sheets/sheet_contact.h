@@ -110,9 +110,9 @@ class SheetContact : public Energy {
                      std::set<const ColliderSurface*>& touched) const {
         near.add_touched(at_end(x), vertices, touched);
     }
-    /// Throws std::runtime_error, with the vertices of the first pair, if any pair is closer than its minimum
-    /// at the beginning of the step, where the shell is at x.
-    void require_apart(const Positions& x) const;
+    /// A message with the vertices of the first pair that is closer than its minimum at the beginning of the
+    /// step, where the shell is at x; nothing if there is none.
+    std::optional<std::string> overlap(const Positions& x) const;
     /// Whether pairs that are springs could be barriers, with the shell at x at the end of the step.
     bool leaves_room_for_barriers(const Positions& x) const {
         return near.leave_room_for_barriers(at_end(x));
