@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <numeric>
+#include <vector>
 
 namespace sherd {
 
@@ -23,6 +25,13 @@ Eigen::Matrix<double, 3, static_cast<int>(N)> columns(const Positions& all,
     Eigen::Matrix<double, 3, static_cast<int>(N)> local;
     for (std::size_t i = 0; i < N; ++i) local.col(static_cast<Eigen::Index>(i)) = all.col(vertices[i]);
     return local;
+}
+
+/// The numbers from 0 to below `count`.
+inline std::vector<Index> numbers_up_to(Index count) {
+    std::vector<Index> numbers(static_cast<std::size_t>(count));
+    std::iota(numbers.begin(), numbers.end(), 0);
+    return numbers;
 }
 
 /// The matrix of the map x -> v x x.

@@ -23,6 +23,13 @@ double residual_released(const BreakableShell& shell, std::span<const Edge> edge
     return released;
 }
 
+std::vector<HingeMeasure> measures_of(const BreakableShell& shell, std::span<const Edge> edges,
+                                      const HingeMeasures& all) {
+    std::vector<HingeMeasure> measures;
+    for (const Edge edge : edges) measures.push_back(all.at(shell.hinge_of_edge(edge)));
+    return measures;
+}
+
 std::array<Index, 2> ends_of(const Mesh& mesh, Edge edge) {
     return {static_cast<Index>(mesh.vertex(edge, 0)), static_cast<Index>(mesh.vertex(edge, 1))};
 }
@@ -63,14 +70,19 @@ Measured Breaker::measured(const Stepper& stepper) const {
     return now;
 }
 
-bool Breaker::fails(const Measured& now, const BreakingStage& stage, Stepper& stepper) {
-    return !overloaded_edges(shell, now.hinges).empty() || !next_crack_steps(now, stage, stepper).empty();
+std::vector<HingeMeasure> Breaker::measured(std::span<const Edge> edges, const Stepper& stepper) const {
+    std::vector<HingeMeasure> measures;
+    for (const Edge edge : edges) {
+        const Index hinge = shell.hinge_of_edge(edge);
+        const std::array<Index, 2> faces = faces_of_hinge(shell, hinge);
+        measures.push_back(hinge_measure(shell, hinge, stepper.position, stepper.coupled_curvatures(faces),
+                                         stepper.face_strains(faces), stepper.kept_curvatures(faces)));
+    }
+    return measures;
 }
 
-Failing Breaker::failing_in_stage(const Measured& now, const BreakingStage& stage, Stepper& stepper) {
-    Failing failing{allowed(most_overloaded_edges(shell, now.hinges)), {}};
-    failing.cracks = next_crack_steps(now, stage, stepper);
-    return failing;
+bool Breaker::fails(const Measured& now, const BreakingStage& stage, Stepper& stepper) {
+    return !overloaded_edges(shell, now.hinges).empty() || !next_crack_steps(now, stage, stepper).empty();
 }
 
 std::vector<CrackStep> Breaker::next_crack_steps(const Measured& now, const BreakingStage& stage,
@@ -93,31 +105,36 @@ std::vector<Edge> Breaker::allowed(std::vector<Edge> edges) {
     return edges;
 }
 
-bool Breaker::break_edges(const Failing& failing, const Measured& now, const BreakingStage& stage,
-                          Stepper& stepper) {
-    if (!failing.edges.empty()) fail(failing.edges, now.hinges, stage, stepper);
-    return grow(failing.cracks, stage, stepper) || !failing.edges.empty();
+StageOutcome Breaker::break_stage(const Measured& now, const BreakingStage& stage, bool may_break,
+                                  Stepper& stepper) {
+    const std::vector<Edge> edges = allowed(most_overloaded_edges(shell, now.hinges));
+    const std::vector<CrackStep> cracks = next_crack_steps(now, stage, stepper);
+    if (edges.empty() && cracks.empty()) return StageOutcome::unchanged;
+    if (!may_break) return StageOutcome::capped;
+    if (!edges.empty()) fail(edges, measures_of(shell, edges, now.hinges), stage, stepper);
+    const bool grows = grow(cracks, stage, stepper);
+    return grows || !edges.empty() ? StageOutcome::broken : StageOutcome::unchanged;
 }
 
 Index Breaker::break_at_once(const Measured& now, BreakingStage stage, Stepper& stepper) {
     const Index first = stage.number;
     const std::vector<CrackStep> cracks = next_crack_steps(now, stage, stepper);
     if (const std::vector<Edge> edges = overloaded_edges(shell, now.hinges); !edges.empty()) {
-        fail(edges, now.hinges, stage, stepper);
+        fail(edges, measures_of(shell, edges, now.hinges), stage, stepper);
         ++stage.number;
     }
     if (grow(cracks, stage, stepper)) ++stage.number;
     return stage.number - first;
 }
 
-void Breaker::break_given(std::span<const Edge> edges, const HingeMeasures& measures,
+void Breaker::break_given(std::span<const Edge> edges, std::span<const HingeMeasure> measures,
                           const BreakingStage& stage, Stepper& stepper) {
     residual_now -= residual_released(shell, edges);
     fail(edges, measures, stage, stepper);
 }
 
-void Breaker::fail(std::span<const Edge> edges, const HingeMeasures& measures, const BreakingStage& stage,
-                   Stepper& stepper, const std::optional<Opening>& opening) {
+void Breaker::fail(std::span<const Edge> edges, std::span<const HingeMeasure> measures,
+                   const BreakingStage& stage, Stepper& stepper, const std::optional<Opening>& opening) {
     record_failures(edges, measures, stage);
     BreakableShell::Change change = shell.fail(edges);
     change.shell.opening = opening;
@@ -176,7 +193,7 @@ std::optional<BreakableShell::Advanced> Breaker::make_edge(const CrackStep& crac
 void Breaker::fail_by_toughness(Edge edge, const BreakingStage& stage, Stepper& stepper) {
     const double released = residual_released(shell, std::array{edge});
     residual_now -= released;
-    fail(std::array{edge}, measured(stepper).hinges, stage, stepper, opening_of(edge, released));
+    fail(std::array{edge}, measured(std::array{edge}, stepper), stage, stepper, opening_of(edge, released));
 }
 
 std::optional<Opening> Breaker::opening_of(Edge edge, double available) const {
@@ -190,18 +207,18 @@ std::optional<Opening> Breaker::opening_of(Edge edge, double available) const {
     return Opening{static_cast<Index>(edge), needed - available, length / toughness.speed_limit};
 }
 
-void Breaker::record_failures(std::span<const Edge> edges, const HingeMeasures& measures,
+void Breaker::record_failures(std::span<const Edge> edges, std::span<const HingeMeasure> measures,
                               const BreakingStage& stage) {
-    for (const Edge edge : edges) {
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        const Edge edge = edges[i];
         EdgeFailure failure;
         failure.step = stage.step;
         failure.stage = stage.number;
         failure.edge = static_cast<Index>(edge);
         failure.vertices = ends_of(shell.mesh(), edge);
-        const Index hinge = shell.hinge_of_edge(edge);
-        failure.strain = measures.strain[hinge];
-        failure.stress = measures.stress[hinge];
-        failure.overload = overload(shell, measures, edge, staged);
+        failure.strain = measures[i].strain;
+        failure.stress = measures[i].stress;
+        failure.overload = overload(shell, measures[i], edge, staged);
         events.failures.push_back(failure);
     }
 }

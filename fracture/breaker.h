@@ -25,13 +25,8 @@ struct BreakingStage {
     double waited = 0;  ///< s: see Judged
 };
 
-/// The edges that fail in a stage: by strength, and by toughness.
-struct Failing {
-    std::vector<Edge> edges;
-    std::vector<CrackStep> cracks;
-
-    bool any() const { return !edges.empty() || !cracks.empty(); }
-};
+/// Outcome of a stage: whether the sheets have changed, or had to stay because of the limit on stages.
+enum class StageOutcome { unchanged, capped, broken };
 
 /// Breaks the sheets of a simulation: finds the edges that fail, opens the mesh there, passes the change on
 /// to all that refers to the mesh, and records it. Steppers given to its functions must be those of the
@@ -44,18 +39,18 @@ class Breaker {
 
     /// Strains and measures at the stepper's position.
     Measured measured(const Stepper& stepper) const;
+    /// Measures of the hinges of some edges alone, to the last bit.
+    std::vector<HingeMeasure> measured(std::span<const Edge> edges, const Stepper& stepper) const;
     /// Whether any edge fails, by strength or by toughness.
     bool fails(const Measured& now, const BreakingStage& stage, Stepper& stepper);
-    /// The edges that fail in a stage of staged breaking, without those of ArtDirection::smallest.
-    Failing failing_in_stage(const Measured& now, const BreakingStage& stage, Stepper& stepper);
-    /// Makes edges fail, and opens the mesh. Returns whether the sheets have changed.
-    bool break_edges(const Failing& failing, const Measured& now, const BreakingStage& stage,
-                     Stepper& stepper);
+    /// Makes the most overloaded edges fail, and opens the mesh, unless that is forbidden by `may_break`.
+    StageOutcome break_stage(const Measured& now, const BreakingStage& stage, bool may_break,
+                             Stepper& stepper);
     /// Makes all overloaded edges fail, by the paper's rule. Returns the number of stages.
     Index break_at_once(const Measured& now, BreakingStage stage, Stepper& stepper);
-    /// Makes the hinges of edges fail, whatever their strength.
-    void break_given(std::span<const Edge> edges, const HingeMeasures& measures, const BreakingStage& stage,
-                     Stepper& stepper);
+    /// Makes the hinges of edges fail, whatever their strength. measures: of these hinges.
+    void break_given(std::span<const Edge> edges, std::span<const HingeMeasure> measures,
+                     const BreakingStage& stage, Stepper& stepper);
 
     /// Records the measures in a solution, which replace those of an earlier attempt at the step.
     void record_measures(const HingeMeasures& measures) { hinge_peaks.judge(shell, measures); }
@@ -90,7 +85,7 @@ class Breaker {
                                             Stepper& stepper);
     /// Returns the edges that may fail in a stage: see ArtDirection::smallest.
     std::vector<Edge> allowed(std::vector<Edge> edges);
-    void fail(std::span<const Edge> edges, const HingeMeasures& measures, const BreakingStage& stage,
+    void fail(std::span<const Edge> edges, std::span<const HingeMeasure> measures, const BreakingStage& stage,
               Stepper& stepper, const std::optional<Opening>& opening = {});
     /// Propagates cracks, one edge after the other. Returns whether the shell has changed.
     bool grow(std::span<const CrackStep> crack_steps, const BreakingStage& stage, Stepper& stepper);
@@ -105,7 +100,7 @@ class Breaker {
     std::optional<Opening> opening_of(Edge edge, double available) const;
     /// Updates all that refers to the sheets after a change of them.
     void follow_change(const BreakableShell::Change& change, const BreakingStage& stage, Stepper& stepper);
-    void record_failures(std::span<const Edge> edges, const HingeMeasures& measures,
+    void record_failures(std::span<const Edge> edges, std::span<const HingeMeasure> measures,
                          const BreakingStage& stage);
     void record_change(const CrackMesh::Change& change, std::int64_t step);
 

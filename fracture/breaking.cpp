@@ -40,8 +40,11 @@ bool continues_a_crack(const BreakableShell& shell, Edge edge) {
 
 double overload(const BreakableShell& shell, const HingeMeasures& measures, Edge edge, bool crack_tips) {
     const Index hinge = shell.hinge_of_edge(edge);
-    if (hinge < 0) return 0;
-    const double measure = measures.of(shell.measure(edge), hinge);
+    return hinge < 0 ? 0 : overload(shell, measures.at(hinge), edge, crack_tips);
+}
+
+double overload(const BreakableShell& shell, const HingeMeasure& of_hinge, Edge edge, bool crack_tips) {
+    const double measure = of_hinge.of(shell.measure(edge));
     if (measure <= 0) return 0;
     const double factor = crack_tips && continues_a_crack(shell, edge) ? shell.crack_tip_factor(edge) : 1;
     // Recordings hold finite numbers, so the overload is finite at zero strength, too.

@@ -15,6 +15,7 @@ enum class BreakingRule {
 /// Overload of the hinge of `edge`: its measure over its strength. The hinge is overloaded above 1; the
 /// overload is 0 without a hinge. crack_tips: whether the strength is reduced for a hinge that would continue
 /// a crack, because the crack tip concentrates strain more than the mesh resolves.
+double overload(const BreakableShell& shell, const HingeMeasure& measure, Edge edge, bool crack_tips);
 double overload(const BreakableShell& shell, const HingeMeasures& measures, Edge edge, bool crack_tips);
 
 /// Overload of the most overloaded hinge; 0 without hinges.

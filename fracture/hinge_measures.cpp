@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fracture/hinge_measures.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/bending/hinge_curvature.h"
 #include "core/elements/hinge_angles.h"
@@ -31,6 +33,78 @@ Vector3d across(const Vector2d& n) {
     return Vector3d(n.x() * n.x(), n.y() * n.y(), n.x() * n.y()) / n.squaredNorm();
 }
 
+double hinge_strain_at(const BreakableShell& shell, Index hinge, const Positions& x) {
+    const HingeStencil& stencil = shell.mechanics().hinges[hinge];
+    double strain = 0;
+    find_hinge_angles(
+        x, 1, [&](Index) { return stencil.vertices; },
+        [&](Index, double angle) { strain = hinge_strain(stencil.rest, angle); });
+    return strain;
+}
+
+/// Change of curvature of faces from the angles of their own hinges, as of hinges that are not coupled,
+/// [3, 2], 1/m.
+Eigen::Matrix3Xd own_curvatures(const BreakableShell& shell, const std::array<Index, 2>& faces,
+                                const Positions& x) {
+    Eigen::Matrix3Xd curvatures = Eigen::Matrix3Xd::Zero(3, 2);
+    for (const int i : {0, 1}) {
+        std::vector<Index> hinges;  // in the order in which curvatures_of_hinges() sums
+        for (const Halfedge h : shell.mesh().halfedges_around_face(shell.mesh().halfedge(Face(faces[i]))))
+            if (const Index hinge = shell.hinge_of_edge(shell.mesh().edge(h)); hinge >= 0)
+                hinges.push_back(hinge);
+        std::ranges::sort(hinges);
+        for (const Index hinge : hinges)
+            for (const auto& [face, corner] : sides_of(shell, hinge))
+                if (face == faces[i])
+                    curvatures.col(i) += curvature_of_hinge(
+                        shell.mechanics().hinges[hinge].rest, shell.mechanics().triangles[face].membrane,
+                        corner, hinge_strain_at(shell, hinge, x), AngleShare::equal);
+    }
+    return curvatures;
+}
+
+/// The state of faces beside a hinge, in columns. force, moment: products of the plane-stress elasticity with
+/// strain and curvature, N/m and N/m^2, the third component doubled.
+struct FaceColumns {
+    const Eigen::Matrix3Xd &strain, &curvature;
+    const std::optional<Eigen::Matrix3Xd>& kept;
+    Eigen::Matrix3Xd force, moment;
+
+    FaceColumns(const Shell& shell, std::span<const Index> faces, const Eigen::Matrix3Xd& strain,
+                const Eigen::Matrix3Xd& curvature, const std::optional<Eigen::Matrix3Xd>& kept)
+        : strain(strain),
+          curvature(curvature),
+          kept(kept),
+          force(3, strain.cols()),
+          moment(3, strain.cols()) {
+        for (Eigen::Index i = 0; i < strain.cols(); ++i) {
+            const Matrix3d& elasticity = shell.triangles[faces[i]].membrane.elasticity;
+            force.col(i) = elasticity * strain.col(i);
+            moment.col(i) = elasticity * curvature.col(i);
+        }
+        force.row(2) *= 2;
+        moment.row(2) *= 2;
+    }
+};
+
+/// Measures of a hinge between two sides. at: columns of their faces.
+HingeMeasure measure_of(const Shell& shell, const HingeStencil& hinge,
+                        const std::array<TriangleEdge, 2>& sides, const std::array<Index, 2>& at,
+                        const FaceColumns& faces, double bending) {
+    const double thickness = mean_thickness(shell, hinge.vertices);
+    double stretch = 0, bend = 0, pull = 0, bending_stress = 0;
+    for (const int side : {0, 1}) {
+        const auto& [face, corner] = sides[side];
+        const Vector3d part = across(side_normal(shell.triangles[face].membrane, corner));
+        stretch += 0.5 * part.dot(faces.strain.col(at[side]));
+        bend += 0.5 * part.dot(faces.curvature.col(at[side]));
+        if (faces.kept) bend += 0.5 * part.dot(faces.kept->col(at[side]));
+        pull += 0.5 * part.dot(faces.force.col(at[side])) / thickness;
+        bending_stress += 0.5 * part.dot(faces.moment.col(at[side])) / 2;
+    }
+    return {std::abs(bending), stretch / (0.5 * thickness) + std::abs(bend), pull + std::abs(bending_stress)};
+}
+
 }  // namespace
 
 VectorXd hinge_strains(const BreakableShell& shell, const Positions& x) {
@@ -42,14 +116,14 @@ VectorXd hinge_strains(const BreakableShell& shell, const Positions& x) {
     return strains;
 }
 
-double HingeMeasures::of(Measure measure, Index hinge) const {
+double HingeMeasure::of(Measure measure) const {
     switch (measure) {
         case Measure::bending:
-            return bending[hinge];
+            return bending;
         case Measure::stress:
-            return stress[hinge];
+            return stress;
         default:
-            return strain[hinge];
+            return strain;
     }
 }
 
@@ -65,36 +139,38 @@ HingeMeasures hinge_measures(const BreakableShell& shell, const Positions& x,
     const Eigen::Matrix3Xd green = strains ? *strains : green_strains(mechanics, x);
     const Eigen::Matrix3Xd curvature =
         curvatures ? *curvatures : curvatures_of_hinges(mechanics, sides, bending, AngleShare::equal);
-
-    // Products of the plane-stress elasticity with strain and curvature, N/m and N/m^2, the third component
-    // doubled.
-    Eigen::Matrix3Xd force(3, green.cols()), moment(3, green.cols());
-    for (Eigen::Index face = 0; face < green.cols(); ++face) {
-        const Matrix3d& elasticity = mechanics.triangles[static_cast<std::size_t>(face)].membrane.elasticity;
-        force.col(face) = elasticity * green.col(face);
-        moment.col(face) = elasticity * curvature.col(face);
-    }
-    force.row(2) *= 2;
-    moment.row(2) *= 2;
+    const FaceColumns faces(mechanics, numbers_up_to(static_cast<Index>(green.cols())), green, curvature,
+                            kept);
 
     HingeMeasures measures;
-    measures.bending = bending.cwiseAbs();
-    measures.strain = measures.stress = VectorXd::Zero(bending.size());
+    for (VectorXd HingeMeasures::*member :
+         {&HingeMeasures::bending, &HingeMeasures::strain, &HingeMeasures::stress})
+        (measures.*member).resize(bending.size());
     for (std::size_t i = 0; i < sides.size(); ++i) {
-        const double thickness = mean_thickness(mechanics, mechanics.hinges[i].vertices);
-        double stretch = 0, bend = 0, pull = 0, bending_stress = 0;
-        for (const auto& [face, corner] : sides[i]) {
-            const Vector3d part = across(side_normal(mechanics.triangles[face].membrane, corner));
-            stretch += 0.5 * part.dot(green.col(face));
-            bend += 0.5 * part.dot(curvature.col(face));
-            if (kept) bend += 0.5 * part.dot(kept->col(face));
-            pull += 0.5 * part.dot(force.col(face)) / thickness;
-            bending_stress += 0.5 * part.dot(moment.col(face)) / 2;
-        }
-        measures.strain[i] = stretch / (0.5 * thickness) + std::abs(bend);
-        measures.stress[i] = pull + std::abs(bending_stress);
+        const auto hinge = static_cast<Eigen::Index>(i);
+        const HingeMeasure one =
+            measure_of(mechanics, mechanics.hinges[i], sides[i], {sides[i][0].triangle, sides[i][1].triangle},
+                       faces, bending[hinge]);
+        measures.bending[hinge] = one.bending;
+        measures.strain[hinge] = one.strain;
+        measures.stress[hinge] = one.stress;
     }
     return measures;
+}
+
+std::array<Index, 2> faces_of_hinge(const BreakableShell& shell, Index hinge) {
+    const std::array<TriangleEdge, 2> sides = sides_of(shell, hinge);
+    return {sides[0].triangle, sides[1].triangle};
+}
+
+HingeMeasure hinge_measure(const BreakableShell& shell, Index hinge, const Positions& x,
+                           const std::optional<Eigen::Matrix3Xd>& curvatures, const Eigen::Matrix3Xd& strains,
+                           const std::optional<Eigen::Matrix3Xd>& kept) {
+    const std::array<Index, 2> faces = faces_of_hinge(shell, hinge);
+    const Eigen::Matrix3Xd curvature = curvatures ? *curvatures : own_curvatures(shell, faces, x);
+    return measure_of(shell.mechanics(), shell.mechanics().hinges[hinge], sides_of(shell, hinge), {0, 1},
+                      FaceColumns(shell.mechanics(), faces, strains, curvature, kept),
+                      hinge_strain_at(shell, hinge, x));
 }
 
 }  // namespace sherd

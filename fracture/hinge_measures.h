@@ -12,14 +12,22 @@ namespace sherd {
 /// V] m.
 VectorXd hinge_strains(const BreakableShell& shell, const Positions& x);
 
-/// The measures by which hinges fail, [H] each, in the order of mechanics().hinges.
-struct HingeMeasures {
-    VectorXd bending;  ///< magnitude of the bending strain, 1/m
-    VectorXd strain;   ///< 1/m, tensile strain across the edge, at the surface where it is larger, over t / 2
-    VectorXd stress;   ///< Pa, tensile stress across the edge at the surface where it is larger
+/// The measures by which a hinge fails.
+struct HingeMeasure {
+    double bending = 0;  ///< magnitude of the bending strain, 1/m
+    double strain =
+        0;  ///< 1/m, tensile strain across the edge, at the surface where it is larger, over t / 2
+    double stress = 0;  ///< Pa, tensile stress across the edge at the surface where it is larger
 
-    /// The given measure of a hinge.
-    double of(Measure measure, Index hinge) const;
+    double of(Measure measure) const;
+};
+
+/// The measures of all hinges, [H] each, in the order of mechanics().hinges: see HingeMeasure.
+struct HingeMeasures {
+    VectorXd bending, strain, stress;
+
+    HingeMeasure at(Index hinge) const { return {bending[hinge], strain[hinge], stress[hinge]}; }
+    double of(Measure measure, Index hinge) const { return at(hinge).of(measure); }
     void visit_state(StateVisitor& visit) {
         auto& [bending, strain, stress] = *this;
         visit(bending, strain, stress);
@@ -39,5 +47,12 @@ HingeMeasures hinge_measures(const BreakableShell& shell, const Positions& x,
                              const std::optional<Eigen::Matrix3Xd>& curvatures = {},
                              const std::optional<Eigen::Matrix3Xd>& strains = {},
                              const std::optional<Eigen::Matrix3Xd>& kept = {});
+
+/// The two faces of a hinge: T0 and T1.
+std::array<Index, 2> faces_of_hinge(const BreakableShell& shell, Index hinge);
+/// hinge_measures() of a single hinge, to the last bit. curvatures, strains, kept: [3, 2], of its faces.
+HingeMeasure hinge_measure(const BreakableShell& shell, Index hinge, const Positions& x,
+                           const std::optional<Eigen::Matrix3Xd>& curvatures, const Eigen::Matrix3Xd& strains,
+                           const std::optional<Eigen::Matrix3Xd>& kept);
 
 }  // namespace sherd

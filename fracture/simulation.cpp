@@ -103,13 +103,18 @@ StepReport Simulation::step() try {
     report.step = ++steps;
     policy.begin_step();
     for (;;) {
-        Attempt attempt = solve(report);  // forces and contact, solve
+        Attempt attempt{stepper->begin(policy.size())};                        // forces and contact
+        if (attempt) attempt.result = stepper->solve(options.max_iterations);  // solve
+        attempt.urgency = policy.urgency(attempt.result);
+        report.newton_iterations += attempt.result.iterations;
         if (attempt) {
             const Stopwatch watch(stepper->time_spent(), Task::breaking);
             breakable.hold_back(time() + policy.size());
             const Measured now = breaker.measured(*stepper);  // strains and measures of hinges
-            attempt.urgency = evaluate(now, report);
-            if (attempt) attempt = break_edges(now, report);  // break, split, carry over, solve again
+            attempt.urgency = evaluate(now, report);          // whether steps must be shorter, or explicit
+            const bool staged = options.rule == BreakingRule::staged && !ends_at_crack;
+            if (attempt && staged) attempt = break_in_stages(now, report);  // break, split, solve again
+            if (attempt && !staged) break_at_once(now, report);
         }
         if (attempt) break;
         if (!policy.retry(attempt, report)) throw Error(failure(attempt), Fault::run);
@@ -131,20 +136,8 @@ StepReport Simulation::step() try {
     throw Error(where() + error.what(), Fault::run);
 }
 
-Attempt Simulation::solve(StepReport& report) {
-    StepResult result = stepper->begin(policy.size());
-    if (result) result = continue_solution(report, options.max_iterations);
-    return {result, result ? Urgency::none : policy.urgency(result)};
-}
-
-StepResult Simulation::continue_solution(StepReport& report, int max_iterations) {
-    StepResult result = stepper->solve(max_iterations);
-    report.newton_iterations += result.iterations;
-    return result;
-}
-
 Urgency Simulation::evaluate(const Measured& now, StepReport& report) {
-    ends_at_crack = options.until_crack && breaker.fails(now, stage(report), *stepper);
+    ends_at_crack = options.until_crack && breaker.fails(now, this_stage(report), *stepper);
     if (ends_at_crack && policy.can_halve()) {
         ends_at_crack = false;
         return Urgency::unsolved;
@@ -156,54 +149,47 @@ Urgency Simulation::evaluate(const Measured& now, StepReport& report) {
     const YieldPeak yielding = yield_peak(breakable, now.strains);
     report.peak_yield = yielding.ratio;
     report.yielding = yielding.place;
-    return judge(now, report);
+    const Urgency urgency = judge(now, report);
+    if (urgency == Urgency::none) breaker.record_measures(now.hinges);
+    return urgency;
 }
 
 Urgency Simulation::judge(const Measured& now, const StepReport& report) {
     if (!policy.can_go_explicit()) return Urgency::none;
     const PotentialEnergies stored = stepper->energies();
-    StepActivity solved{report.peak_overload, breaker.fails(now, stage(report), *stepper), stored.contact,
-                        stepper->taken_by_scheme(), kinetic_energy(breakable.mechanics()) + stored.stored()};
+    StepActivity solved{report.peak_overload, breaker.fails(now, this_stage(report), *stepper),
+                        stored.contact, stepper->taken_by_scheme(),
+                        kinetic_energy(breakable.mechanics()) + stored.stored()};
     for (const RigidBody& body : bodies()) solved.energy += body.kinetic_energy();
     return policy.judge(solved);
 }
 
-Attempt Simulation::break_edges(const Measured& now, StepReport& report) {
-    breaker.record_measures(now.hinges);
-    if (options.rule == BreakingRule::staged && !ends_at_crack) {
-        const StepResult result = break_in_stages(now, report);
-        report.reactions = stepper->reactions();
-        return {result, result.outcome == Outcome::passage ? Urgency::passage : Urgency::none};
-    }
-    // By the paper's rule hinges break after the solution that balances the reactions.
-    report.reactions = stepper->reactions();
-    report.stages += breaker.break_at_once(now, stage(report), *stepper);
-    return {};
-}
-
-StepResult Simulation::break_in_stages(Measured now, StepReport& report) {
+Attempt Simulation::break_in_stages(Measured now, StepReport& report) {
     StepResult result;
     double waited = policy.size();
     bool is_cut_short = false;  // whether the last solution ended at its limit of iterations
     for (;;) {
-        const BreakingStage open = stage(report, waited);
-        const Failing failing = breaker.failing_in_stage(now, open, *stepper);
+        const bool may_break = report.stages < options.max_stages;
+        const auto stage = breaker.break_stage(now, this_stage(report, waited), may_break, *stepper);
+        const bool broken = stage == StageOutcome::broken;
+        report.stage_cap_reached = stage == StageOutcome::capped;
+        report.stages += broken;
+        if (broken ? !stepper->solves_again() : !is_cut_short) break;
+        result = stepper->solve(broken ? iterations_between_stages : options.max_iterations);
+        report.newton_iterations += result.iterations;
+        if (broken && result.outcome == Outcome::passage) break;
+        is_cut_short = broken && result.limited;
         waited = 0;
-        report.stage_cap_reached = failing.any() && report.stages == options.max_stages;
-        if (failing.any() && !report.stage_cap_reached && breaker.break_edges(failing, now, open, *stepper)) {
-            ++report.stages;
-            if (!stepper->solves_again()) return result;
-            result = continue_solution(report, iterations_between_stages);
-            if (result.outcome == Outcome::passage) return result;
-            is_cut_short = result.limited;
-        } else if (is_cut_short) {
-            result = continue_solution(report, options.max_iterations);
-            is_cut_short = false;
-        } else {
-            return result;
-        }
         now = breaker.measured(*stepper);
     }
+    report.reactions = stepper->reactions();
+    return {result, result.outcome == Outcome::passage ? Urgency::passage : Urgency::none};
+}
+
+void Simulation::break_at_once(const Measured& now, StepReport& report) {
+    // By the paper's rule hinges break after the solution that balances the reactions.
+    report.reactions = stepper->reactions();
+    report.stages += breaker.break_at_once(now, this_stage(report), *stepper);
 }
 
 void Simulation::take_scheme() {
@@ -333,7 +319,7 @@ void Simulation::report_gauges(StepReport& report) const {
 
 void Simulation::break_by_hand(std::span<const Edge> edges) {
     require_hinges(breakable, edges);
-    const HingeMeasures measures = breaker.measured(*stepper).hinges;
+    const std::vector<HingeMeasure> measures = breaker.measured(edges, *stepper);
     // A change of the shell needs an open step. The next begin() discards that step and books the energy that
     // is lost.
     if (const StepResult begun = stepper->begin(policy.size()); begun.outcome == Outcome::failed)

@@ -74,18 +74,14 @@ class Simulation {
     void visit_state(StateVisitor& visit);
 
   private:
-    /// Begins a step, and solves it for the first time.
-    Attempt solve(StepReport& report);
-    StepResult continue_solution(StepReport& report, int max_iterations);
-    /// Enters the peaks of a solution in the report. Returns the reason for which the step must be made
+    /// Records the measures and peaks of a solution. Returns the reason for which the step must be made
     /// otherwise, if there is one, as where it must be made of explicit steps.
     Urgency evaluate(const Measured& now, StepReport& report);
     Urgency judge(const Measured& now, const StepReport& report);
-    /// Breaks edges in a solution, and solves again as far as the rule says so.
-    Attempt break_edges(const Measured& now, StepReport& report);
     /// Breaks and solves again until nothing is overloaded. Returns the result of the last solution.
-    StepResult break_in_stages(Measured now, StepReport& report);
-    BreakingStage stage(const StepReport& report, double waited = 0) const {
+    Attempt break_in_stages(Measured now, StepReport& report);
+    void break_at_once(const Measured& now, StepReport& report);
+    BreakingStage this_stage(const StepReport& report, double waited = 0) const {
         return {report.step, time(), time() + policy.size(), report.stages, waited};
     }
     /// Replaces the stepper by one of the scheme that the policy has chosen.

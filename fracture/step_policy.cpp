@@ -22,6 +22,7 @@ StepPolicy::StepPolicy(const SimulationOptions& options, double energy_floor)
       pace(energy_floor) {}
 
 Urgency StepPolicy::urgency(const StepResult& result) const {
+    if (result) return Urgency::none;
     if (result.outcome == Outcome::passage) return Urgency::passage;
     return result.outcome == Outcome::failed && is_explicit() ? Urgency::overwhelmed : Urgency::unsolved;
 }

@@ -40,7 +40,7 @@ class StepPolicy {
 
     /// Must be called before the first attempt at a step.
     void begin_step() { is_resort_tried = false; }
-    /// The reason for another attempt after a result that is not `done`.
+    /// The reason for another attempt after a result; none after one that is `done`.
     Urgency urgency(const StepResult& result) const;
     /// Whether explicit steps may replace an implicit one that has been solved: see judge().
     bool can_go_explicit() const { return alternates && !is_explicit(); }

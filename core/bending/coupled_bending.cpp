@@ -123,18 +123,26 @@ VectorXd CoupledBending::changes_from(const VectorXd& angles) const {
 }
 
 Eigen::Matrix3Xd CoupledBending::curvatures(const Positions& x) const {
-    const VectorXd all = changes(x);
-    Eigen::Matrix3Xd of_faces(3, shell.triangles.size());
-    for (Index face = 0; face < faces(); ++face) of_faces.col(face) = curvature.of(face, all);
-    if (!yields.empty()) of_faces -= kept_curvatures(x);
+    return curvatures_at(numbers_up_to(faces()), changes(x));
+}
+
+Eigen::Matrix3Xd CoupledBending::curvatures_at(std::span<const Index> some, const VectorXd& changes) const {
+    Eigen::Matrix3Xd of_faces(3, some.size());
+    for (Index i = 0; i < static_cast<Index>(of_faces.cols()); ++i)
+        of_faces.col(i) = curvature.of(some[i], changes);
+    if (!yields.empty()) of_faces -= kept_at(some, changes);
     return of_faces;
 }
 
 Eigen::Matrix3Xd CoupledBending::kept_curvatures(const Positions& x) const {
-    const VectorXd all = changes(x);
-    Eigen::Matrix3Xd of_faces = Eigen::Matrix3Xd::Zero(3, shell.triangles.size());
-    for (Index face = 0; face < faces(); ++face)
-        if (yields_at(face)) of_faces.col(face) = yielded(face, curvature.of(face, all)).kept.curvature;
+    return kept_at(numbers_up_to(faces()), changes(x));
+}
+
+Eigen::Matrix3Xd CoupledBending::kept_at(std::span<const Index> some, const VectorXd& changes) const {
+    Eigen::Matrix3Xd of_faces = Eigen::Matrix3Xd::Zero(3, some.size());
+    for (Index i = 0; i < static_cast<Index>(of_faces.cols()); ++i)
+        if (const Index face = some[i]; yields_at(face))
+            of_faces.col(i) = yielded(face, curvature.of(face, changes)).kept.curvature;
     return of_faces;
 }
 

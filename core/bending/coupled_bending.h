@@ -38,6 +38,13 @@ class CoupledBending : public Energy {
     Eigen::Matrix3Xd curvatures(const Positions& x) const;
     /// Plastic curvature of each face in a step that ends at x, [3, F], 1/m.
     Eigen::Matrix3Xd kept_curvatures(const Positions& x) const;
+    // Variants for some faces, [3, some].
+    Eigen::Matrix3Xd curvatures(const Positions& x, std::span<const Index> some) const {
+        return curvatures_at(some, changes(x, curvature.folds_of(some)));
+    }
+    Eigen::Matrix3Xd kept_curvatures(const Positions& x, std::span<const Index> some) const {
+        return kept_at(some, changes(x, curvature.folds_of(some)));
+    }
 
     const Folds& all_folds() const { return folds; }
     double start_angle(Index fold) const { return start[fold]; }  ///< rad, from which changes are measured
@@ -89,6 +96,10 @@ class CoupledBending : public Energy {
         return changes_from(folds.angles(x, some));
     }
     VectorXd changes_from(const VectorXd& angles) const;
+    /// Curvatures and plastic curvatures of some faces. changes: of the angles of all folds, rad; those of
+    /// folds on which no face depends are not used.
+    Eigen::Matrix3Xd curvatures_at(std::span<const Index> some, const VectorXd& changes) const;
+    Eigen::Matrix3Xd kept_at(std::span<const Index> some, const VectorXd& changes) const;
     double rigidity_factor(Index face) const;  ///< m^4, of the membrane's elasticity
     bool yields_at(Index face) const { return !yields.empty() && yields[shell.face_sheet[face]] > 0; }
     YieldingSection section(Index face) const;

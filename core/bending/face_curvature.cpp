@@ -84,6 +84,15 @@ Matrix3d FaceCurvature::per_tangent(Index face) const {
     return curvatures;
 }
 
+std::vector<Index> FaceCurvature::folds_of(std::span<const Index> some) const {
+    std::vector<Index> all;
+    for (const Index face : some)
+        for (const Term& term : faces[face]) all.push_back(term.fold);
+    std::ranges::sort(all);
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
+}
+
 void FaceCurvature::update_face(Index face) {
     std::vector<Term>& terms = faces[face];
     terms.clear();

@@ -42,6 +42,8 @@ class FaceCurvature {
         return sum;
     }
 
+    /// The folds on which the curvatures of some faces depend, ascending.
+    std::vector<Index> folds_of(std::span<const Index> some) const;
     /// The curvature of a face, (00, 11, 2 * 01) in a column, for each radian from its facet to the tangent
     /// at a side, 1/m, with the bending of its free sides that follows; columns of free sides are zero.
     Matrix3d per_tangent(Index face) const;

@@ -8,22 +8,24 @@
 
 namespace sherd {
 
+Vector3d curvature_of_hinge(const RestHinge& rest, const MembraneTriangle& face, int corner, double strain,
+                            AngleShare share) {
+    const double turn = strain * rest.area / rest.edge_length;
+    const Vector2d n = side_normal(face, corner);
+    // Both faces have the edge in common, so that heights are in proportion to areas.
+    const double twice = share == AngleShare::equal ? 1 : 2 * face.area / rest.area;
+    return twice * turn / n.norm() * Vector3d(n.x() * n.x(), n.y() * n.y(), 2 * n.x() * n.y());
+}
+
 Eigen::Matrix3Xd curvatures_of_hinges(const Shell& shell, std::span<const std::array<TriangleEdge, 2>> sides,
                                       const VectorXd& strains, AngleShare share) {
     Eigen::Matrix3Xd curvatures =
         Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(shell.triangles.size()));
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-        const RestHinge& rest = shell.hinges[i].rest;
-        const double turn = strains[static_cast<Eigen::Index>(i)] * rest.area / rest.edge_length;
-        for (const auto& [triangle, corner] : sides[i]) {
-            const MembraneTriangle& membrane = shell.triangles[triangle].membrane;
-            const Vector2d n = side_normal(membrane, corner);
-            // Both faces have the edge in common, so that heights are in proportion to areas.
-            const double twice = share == AngleShare::equal ? 1 : 2 * membrane.area / rest.area;
+    for (std::size_t i = 0; i < sides.size(); ++i)
+        for (const auto& [triangle, corner] : sides[i])
             curvatures.col(triangle) +=
-                twice * turn / n.norm() * Vector3d(n.x() * n.x(), n.y() * n.y(), 2 * n.x() * n.y());
-        }
-    }
+                curvature_of_hinge(shell.hinges[i].rest, shell.triangles[triangle].membrane, corner,
+                                   strains[static_cast<Eigen::Index>(i)], share);
     return curvatures;
 }
 

@@ -14,6 +14,11 @@ enum class AngleShare {
     by_height,  ///< by height over the edge, as for a constant curvature across it
 };
 
+/// The part of a side in the curvature of its face: see curvatures_of_hinges(). rest: of its hinge; strain:
+/// hinge_strain(), 1/m.
+Vector3d curvature_of_hinge(const RestHinge& rest, const MembraneTriangle& face, int corner, double strain,
+                            AngleShare share);
+
 /// The change of curvature of each face from the angles of its own hinges alone, [3, F], 1/m, as (00, 11,
 /// 2 * 01) in the face's rest frame: the sum of length / area times its share of the angle times n n^T over
 /// its sides of outward normal n. Uncoupled hinges determine no more than this, and it does not converge to

@@ -81,6 +81,23 @@ Eigen::Matrix3Xd ShellEnergies::face_strains(const Positions& x) const {
     return arcs != nullptr ? arcs->strains(x) : green_strains(shell, x);
 }
 
+std::optional<Eigen::Matrix3Xd> ShellEnergies::coupled_curvatures(const Positions& x,
+                                                                  std::span<const Index> faces) const {
+    if (coupled == nullptr) return std::nullopt;
+    return coupled->curvatures(x, faces);
+}
+
+std::optional<Eigen::Matrix3Xd> ShellEnergies::kept_curvatures(const Positions& x,
+                                                               std::span<const Index> faces) const {
+    if (yielding == nullptr) return std::nullopt;
+    return yielding->kept_curvatures(x, faces);
+}
+
+Eigen::Matrix3Xd ShellEnergies::face_strains(const Positions& x, std::span<const Index> faces) const {
+    if (arcs != nullptr) return arcs->strains(x)(Eigen::all, faces);
+    return green_strains(shell, x, faces);
+}
+
 Eigen::Matrix3Xd ShellEnergies::face_curvatures(const Positions& x) const {
     if (coupled != nullptr) return coupled->curvatures(x);
     VectorXd strains(shell.hinges.size());

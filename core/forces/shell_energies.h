@@ -96,6 +96,11 @@ class ShellEnergies {
     std::optional<Eigen::Matrix3Xd> kept_curvatures(const Positions& x) const;
     /// Green strain of all faces, [3, F], as the membrane measures it.
     Eigen::Matrix3Xd face_strains(const Positions& x) const;
+    // Variants for some faces, [3, faces].
+    std::optional<Eigen::Matrix3Xd> coupled_curvatures(const Positions& x,
+                                                       std::span<const Index> faces) const;
+    std::optional<Eigen::Matrix3Xd> kept_curvatures(const Positions& x, std::span<const Index> faces) const;
+    Eigen::Matrix3Xd face_strains(const Positions& x, std::span<const Index> faces) const;
     double membrane_value(const Positions& x) const { return membrane->value(x); }  ///< J
 
     void visit_state(StateVisitor& visit);

@@ -9,12 +9,16 @@
 namespace sherd {
 
 Eigen::Matrix3Xd green_strains(const Shell& shell, const Positions& x) {
-    Eigen::Matrix3Xd strains(3, shell.triangles.size());
-    each_four(static_cast<Index>(strains.cols()), [&](const std::array<Index, Lanes::count>& faces) {
+    return green_strains(shell, x, numbers_up_to(static_cast<Index>(shell.triangles.size())));
+}
+
+Eigen::Matrix3Xd green_strains(const Shell& shell, const Positions& x, std::span<const Index> faces) {
+    Eigen::Matrix3Xd strains(3, faces.size());
+    each_four(static_cast<Index>(strains.cols()), [&](const std::array<Index, Lanes::count>& columns) {
         std::array<Index, 3> vertices[Lanes::count];
         Eigen::Matrix<Lanes, 2, 2> derivatives;  // shape functions of the second and the third corner
         for (int lane = 0; lane < Lanes::count; ++lane) {
-            const auto& [of, membrane] = shell.triangles[faces[lane]];
+            const auto& [of, membrane] = shell.triangles[faces[columns[lane]]];
             vertices[lane] = of;
             for (int i = 0; i < 2; ++i)
                 for (int j = 0; j < 2; ++j) derivatives(i, j).set(lane, membrane.derivatives(i + 1, j));
@@ -26,7 +30,7 @@ Eigen::Matrix3Xd green_strains(const Shell& shell, const Positions& x) {
         F.col(1) = derivatives(0, 1) * one + derivatives(1, 1) * other;
         const Eigen::Matrix<Lanes, 3, 1> strain = strain_of(F);
         for (int lane = 0; lane < Lanes::count; ++lane)
-            for (int c = 0; c < 3; ++c) strains(c, faces[lane]) = strain[c][lane];
+            for (int c = 0; c < 3; ++c) strains(c, columns[lane]) = strain[c][lane];
     });
     return strains;
 }

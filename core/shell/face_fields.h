@@ -35,6 +35,8 @@ FaceState face_state(const Shell& shell, Index face, const Vector3d& strain, con
 
 /// Green strain of all faces by their corners at x [3, V] m, [3, F].
 Eigen::Matrix3Xd green_strains(const Shell& shell, const Positions& x);
+/// Variants for some faces, [3, faces].
+Eigen::Matrix3Xd green_strains(const Shell& shell, const Positions& x, std::span<const Index> faces);
 
 /// Strains and stresses (FaceState) of all faces, [3, F] each; fields that are not chosen are empty.
 struct FaceFields {

@@ -2,7 +2,6 @@
 #include "core/shell/triangle_edge.h"
 
 #include <algorithm>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -48,10 +47,8 @@ std::vector<TriangleEdge> sides_after(const Shell& shell, const ShellChange& cha
 }
 
 std::vector<std::array<TriangleEdge, 2>> sides_of_hinges(const Shell& shell) {
-    std::vector<Index> hinges(shell.hinges.size()), triangles(shell.triangles.size());
-    std::iota(hinges.begin(), hinges.end(), 0);
-    std::iota(triangles.begin(), triangles.end(), 0);
-    return sides_of_hinges(shell, hinges, triangles);
+    return sides_of_hinges(shell, numbers_up_to(static_cast<Index>(shell.hinges.size())),
+                           numbers_up_to(static_cast<Index>(shell.triangles.size())));
 }
 
 std::vector<std::array<TriangleEdge, 2>> sides_of_hinges(const Shell& shell, std::span<const Index> hinges,

@@ -362,7 +362,7 @@ void ExplicitStepper::topology_changed(const ShellChange& change) {
     feel();
     const double gone = ledger.topology_changed(stored(), moving(velocity, position), change.remeshes());
     if (!change.opening) return;
-    opening.open(*change.opening, kept_forces(before), gone);
+    opening.open(*change.opening, kept_forces(before), position, gone);
     forces_now.opening.setZero(3, position.cols());
     opening.add_forces(forces_now.opening);
     accelerate();

@@ -110,7 +110,7 @@ class ExplicitStepper : public Stepper {
     Threads threads;
     ElasticGradient elastic_gradient;
     ExplicitContact contact;
-    OpeningEdges opening;
+    OpeningEdges opening{OpeningEdges::Fading::by_work};
     std::vector<Energy*> elastic;
     StepContext step;                  ///< the open step, or the last one
     double of_shell = 0;               ///< rad/s, highest frequency without contact

@@ -7,7 +7,7 @@
 #include "core/state_visitor.h"
 #include "core/time/equilibrium_path.h"
 #include "core/time/inertia.h"
-#include "core/time/released_edges.h"
+#include "core/time/opening_edges.h"
 #include "core/time/stepper.h"
 #include "core/time/time_scheme.h"
 
@@ -71,7 +71,7 @@ class ImplicitStepper : public Stepper {
     Threads threads;
     ElasticEnergy elastic;
     Contact contact;
-    ReleasedEdges opening;
+    OpeningEdges opening{OpeningEdges::Fading::by_time};
     Potential potential;
     std::unique_ptr<Minimiser> minimiser;
     std::optional<EquilibriumPath> path;  ///< used instead of the minimiser, if there is one

@@ -94,6 +94,16 @@ class Stepper {
     std::optional<Eigen::Matrix3Xd> kept_curvatures() const { return forces.kept_curvatures(position); }
     Eigen::Matrix3Xd face_curvatures() const { return forces.face_curvatures(position); }
     Eigen::Matrix3Xd face_strains() const { return forces.face_strains(position); }
+    // Variants for some faces, [3, faces].
+    std::optional<Eigen::Matrix3Xd> coupled_curvatures(std::span<const Index> faces) const {
+        return forces.coupled_curvatures(position, faces);
+    }
+    std::optional<Eigen::Matrix3Xd> kept_curvatures(std::span<const Index> faces) const {
+        return forces.kept_curvatures(position, faces);
+    }
+    Eigen::Matrix3Xd face_strains(std::span<const Index> faces) const {
+        return forces.face_strains(position, faces);
+    }
     /// Coupled hinges, in the state of `position`; null without them.
     const CoupledBending* coupled_bending() const { return forces.coupled_bending(); }
     /// Derivative of the elastic energy at `position`, N, [3, V].

@@ -156,15 +156,6 @@ BentFace bent_face(const Shell& shell, const CoupledBending& bending, const Crac
     return at;
 }
 
-/// The folds on which the curvature of some faces depends.
-std::vector<Index> folds_of(const CoupledBending& bending, const std::vector<Index>& faces) {
-    std::vector<Index> folds;
-    for (const Index face : faces)
-        for (const auto& [fold, per_angle] : bending.face_curvature().terms(face)) folds.push_back(fold);
-    make_unique(folds);
-    return folds;
-}
-
 /// Interaction of the face's bending with that of a mode, Pa.
 double interaction(const BentFace& at, const PlateField& mode, const SmoothField& field) {
     const Eigen::Matrix2d curvature = full_strain(mode.curvature),
@@ -224,7 +215,7 @@ ModePair plate_intensity(const Shell& shell, const VertexFaces& around, const Co
     const PlaneStress material = plane_stress_at(shell, around[tip.vertex].front());
     const double thickness = shell.thickness[tip.vertex], reach = reach_of(shell, tip, faces);
     const Matrix3d turn = rotation_at(shell, around, tip.vertex, x);
-    const VectorXd changes = changes_of(bending, x, folds_of(bending, faces));
+    const VectorXd changes = changes_of(bending, x, bending.face_curvature().folds_of(faces));
     std::array<double, 2> interactions{};
     for (const Index face : faces) {
         const BentFace at = bent_face(shell, bending, tip, face, x, turn, changes);

@@ -11,6 +11,11 @@ namespace sherd {
 namespace {
 
 constexpr double force = 4, time = 1.0 / 12, longest = 1;  // N, s
+const Positions here = Positions::Zero(3, 4);              // m
+
+OpeningEdges by_work() {
+    return OpeningEdges(OpeningEdges::Fading::by_work);
+}
 
 /// Pulls the vertices apart in steps of `way` (m) for at most so many steps. Returns the work, J.
 double pull(OpeningEdges& edges, double way, int steps) {
@@ -26,8 +31,8 @@ double pull(OpeningEdges& edges, double way, int steps) {
 }
 
 TEST(OpeningEdges, TakeTheirEnergyLessWhatWentAtOnce) {
-    OpeningEdges edges;
-    edges.open({7, 0.3, time}, test::held_together(force), 0.1);
+    OpeningEdges edges = by_work();
+    edges.open({7, 0.3, time}, test::held_together(force), here, 0.1);
     EXPECT_EQ(edges.held(7), 1);
     EXPECT_EQ(edges.held(8), 0);
     EXPECT_NEAR(pull(edges, 1e-4, 10000), 0.2, 1e-4);
@@ -38,8 +43,8 @@ TEST(OpeningEdges, TakeTheirEnergyLessWhatWentAtOnce) {
 // The share of the force falls with the square root of the share of energy left, so that the force ends at a
 // finite opening.
 TEST(OpeningEdges, FadeByTheRootOfWhatIsLeft) {
-    OpeningEdges edges;
-    edges.open({7, 0.2, time}, test::held_together(force), 0);
+    OpeningEdges edges = by_work();
+    edges.open({7, 0.2, time}, test::held_together(force), here, 0);
     const double taken = pull(edges, 1e-5, 3000);
     EXPECT_GT(taken, 0.05);
     EXPECT_NEAR(edges.held(7), std::sqrt(1 - taken / 0.2), 1e-9);
@@ -50,8 +55,8 @@ TEST(OpeningEdges, FadeByTheRootOfWhatIsLeft) {
 }
 
 TEST(OpeningEdges, NeverPush) {
-    OpeningEdges edges;
-    edges.open({7, 0.2, time}, test::held_together(force), 0);
+    OpeningEdges edges = by_work();
+    edges.open({7, 0.2, time}, test::held_together(force), here, 0);
     edges.fade(test::parted_by(-1e-3), 1e-6);
     Positions now = Positions::Zero(3, 4);
     edges.add_forces(now);
@@ -62,10 +67,10 @@ TEST(OpeningEdges, NeverPush) {
 }
 
 TEST(OpeningEdges, EndAfterTheirTimeAndWhereMoreWentAtOnce) {
-    OpeningEdges edges;
-    edges.open({7, 0.2, time}, test::held_together(force), 0.3);
+    OpeningEdges edges = by_work();
+    edges.open({7, 0.2, time}, test::held_together(force), here, 0.3);
     EXPECT_TRUE(edges.empty());
-    edges.open({7, 0.2, time}, test::held_together(force), 0);
+    edges.open({7, 0.2, time}, test::held_together(force), here, 0);
     edges.fade(test::parted_by(0), longest / 2);
     EXPECT_FALSE(edges.empty());
     Positions now = Positions::Zero(3, 4);
@@ -78,16 +83,16 @@ TEST(OpeningEdges, EndAfterTheirTimeAndWhereMoreWentAtOnce) {
 // Where two edges open in one step beside small faces, the first may release bending energy and the next take
 // it back: the cohesive force of the first alone would throw the vertices.
 TEST(OpeningEdges, CancelWhatTheNextOpposes) {
-    OpeningEdges edges;
-    edges.open({7, 0.2, time}, test::held_together(force), -0.2);
-    edges.open({8, 0.2, time}, test::held_together(-0.75 * force), 0.3);
+    OpeningEdges edges = by_work();
+    edges.open({7, 0.2, time}, test::held_together(force), here, -0.2);
+    edges.open({8, 0.2, time}, test::held_together(-0.75 * force), here, 0.3);
     Positions now = Positions::Zero(3, 4);
     edges.add_forces(now);
     EXPECT_NEAR(now(0, 1), 0.25 * force, 1e-12);
     EXPECT_NEAR(pull(edges, 1e-4, 10000), 0.25 * 0.4, 1e-4) << "and they take so much less";
 
-    edges.open({9, 0.2, time}, test::held_together(force), 0);
-    edges.open({10, 0.2, time}, test::held_together(-3 * force), 0);
+    edges.open({9, 0.2, time}, test::held_together(force), here, 0);
+    edges.open({10, 0.2, time}, test::held_together(-3 * force), here, 0);
     now.setZero();
     edges.add_forces(now);
     EXPECT_NEAR(now(0, 1), -2 * force, 1e-12) << "all of what is kept holds what it held together";
@@ -96,12 +101,137 @@ TEST(OpeningEdges, CancelWhatTheNextOpposes) {
 }
 
 TEST(OpeningEdges, KeepWhatTheNextDoesNotOppose) {
-    OpeningEdges edges;
-    edges.open({7, 0.2, time}, test::held_together(force), 0);
-    edges.open({8, 0.2, time}, test::held_together(force), 0);
+    OpeningEdges edges = by_work();
+    edges.open({7, 0.2, time}, test::held_together(force), here, 0);
+    edges.open({8, 0.2, time}, test::held_together(force), here, 0);
     Positions now = Positions::Zero(3, 4);
     edges.add_forces(now);
     EXPECT_EQ(now(0, 1), 2 * force);
+}
+
+constexpr double lasts = 1e-5;  // s
+
+StepContext step_at(double begin, double length) {
+    StepContext step;
+    step.begin = begin;
+    step.length = step.lag = length;
+    return step;
+}
+
+class OpeningEdgesByTime : public testing::Test {
+  protected:
+    void fail(double energy, double step, double gone = 0) {
+        edges.begin_step(step_at(0, step), x);
+        edges.shell_changes();
+        edges.shell_changed(x);
+        edges.open({7, energy, lasts}, test::held_together(force), x, gone);
+    }
+    double pull() const {
+        Positions gradient = Positions::Zero(3, 4);
+        edges.add_gradient(x, gradient);
+        return -gradient(0, 1);
+    }
+
+    Positions x = Positions::Random(3, 4);
+    OpeningEdges edges{OpeningEdges::Fading::by_time};
+};
+
+// In a step longer than the opening the cohesive force ends at once, and has taken half of force times
+// distance.
+TEST_F(OpeningEdgesByTime, TakeHalfOfForceTimesWayInALongStep) {
+    fail(1, 1e-3);
+    EXPECT_EQ(pull(), 0);
+    EXPECT_EQ(edges.held(7), 0);
+    edges.solved(x + test::parted_by(0.05));
+    EXPECT_NEAR(edges.taken(), 0.5 * force * 0.05, 1e-12);
+    edges.solved(x + test::parted_by(0.06));
+    EXPECT_NEAR(edges.taken(), 0.5 * force * 0.06, 1e-12) << "the solution goes on";
+    edges.finish();
+    edges.begin_step(step_at(1e-3, 1e-3), x + test::parted_by(0.06));
+    edges.solved(x + test::parted_by(0.1));
+    EXPECT_EQ(edges.taken(), 0);
+}
+
+TEST_F(OpeningEdgesByTime, TakeNoMoreThanTheirEnergyLessWhatWentAtOnce) {
+    fail(0.3, 1e-3, 0.1);
+    edges.solved(x + test::parted_by(1));
+    EXPECT_NEAR(edges.taken(), 0.2, 1e-12);
+}
+
+TEST_F(OpeningEdgesByTime, GiveNothing) {
+    fail(1, 1e-3);
+    edges.solved(x + test::parted_by(-0.05));
+    EXPECT_EQ(edges.taken(), 0);
+    fail(0.1, 1e-3, 0.1);
+    edges.solved(x + test::parted_by(0.05));
+    EXPECT_EQ(edges.taken(), 0) << "all that it needs has gone at once";
+}
+
+// In short steps the forces fade from step to step.
+TEST_F(OpeningEdgesByTime, FadeOverShortSteps) {
+    const double step = 0.25 * lasts, way = 0.01;
+    fail(1, step);
+    double taken = 0;
+    for (int i = 1; i <= 4; ++i) {
+        const double before = 1 - 0.25 * (i - 1), share = 1 - 0.25 * i;
+        EXPECT_NEAR(edges.held(7), share, 1e-12);
+        EXPECT_NEAR(pull(), share * force, 1e-12);
+        EXPECT_NEAR(edges.value(x + test::parted_by(way)) - edges.value(x), share * force * way, 1e-12);
+        x = x + test::parted_by(way);
+        edges.solved(x);
+        EXPECT_NEAR(edges.taken(), 0.5 * (before + share) * force * way, 1e-12);
+        taken += edges.taken();
+        edges.finish();
+        edges.begin_step(step_at(i * step, step), x);
+    }
+    EXPECT_NEAR(taken, 0.5 * force * 4 * way, 1e-12);
+    EXPECT_EQ(edges.held(7), 0);
+}
+
+// Energy taken before another edge failed must not be counted twice.
+TEST_F(OpeningEdgesByTime, GoOnWhereTheShellChangesWithinAStep) {
+    fail(1, 0.5 * lasts);
+    x = x + test::parted_by(0.01);
+    edges.solved(x);
+    const double first = 0.75 * force * 0.01;
+    EXPECT_NEAR(edges.taken(), first, 1e-12);
+    edges.shell_changes();
+    x(0, 1) += 0.3;  // a vertex moves along the sheet
+    edges.shell_changed(x);
+    EXPECT_NEAR(edges.taken(), first, 1e-12);
+    edges.solved(x + test::parted_by(0.02));
+    EXPECT_NEAR(edges.taken(), first + 0.5 * force * 0.02, 1e-12) << "at the share of the step";
+}
+
+// When a step is begun again, its edges are open, and the energy that they took is dropped.
+TEST_F(OpeningEdgesByTime, AStepThatIsBegunAgainForgetsItsEdges) {
+    fail(1, 0.25 * lasts);
+    edges.solved(x + test::parted_by(0.01));
+    edges.begin_step(step_at(0, 0.1 * lasts), x);
+    EXPECT_EQ(edges.taken(), 0);
+    EXPECT_EQ(edges.held(7), 0);
+    EXPECT_EQ(pull(), 0);
+}
+
+// Crack faces that meet again are not pulled together, and an edge whose energy is complete is not held.
+TEST_F(OpeningEdgesByTime, HoldNothingThatClosesOrHasItsEnergy) {
+    for (const double way : {-0.01, 1.0}) {
+        fail(0.1, 0.25 * lasts);
+        edges.solved(x + test::parted_by(way));
+        edges.finish();
+        EXPECT_EQ(edges.held(7), 0);
+    }
+}
+
+// In statics the cohesive force ends at once.
+TEST_F(OpeningEdgesByTime, FadeAtOnceInStatics) {
+    StepContext step = step_at(0, 0.1 * lasts);
+    step.inertia = 0;
+    edges.begin_step(step, x);
+    edges.open({7, 1, lasts}, test::held_together(force), x, 0);
+    EXPECT_EQ(edges.held(7), 0);
+    edges.solved(x + test::parted_by(0.05));
+    EXPECT_NEAR(edges.taken(), 0.5 * force * 0.05, 1e-12);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "core/forces/shell_energies.h"
 #include "meshops/generate.h"
 
 namespace sherd {
@@ -116,6 +117,33 @@ TEST_F(HingeMeasuresOfASquare, AddBendingAndStretch) {
         after += less.strain[i];
     }
     EXPECT_LT(std::abs(after), 0.1 * before);
+}
+
+// Edges that break by toughness are measured alone. Recordings must not show that.
+TEST_F(HingeMeasuresOfASquare, OfASingleHingeAreThoseOfAll) {
+    std::vector<Edge> gone;
+    for (std::size_t hinge = 5; hinge < sheet->mechanics().hinges.size(); hinge += 40)
+        gone.push_back(sheet->edge_of_hinge(hinge));
+    sheet->fail(gone);
+    Positions x = rolled(sheet->mechanics().rest, 3);
+    x.row(1) *= 1.003;
+    for (const BendingModel model : {BendingModel::coupled, BendingModel::cubic})
+        for (const MembraneModel membrane : {MembraneModel::constant_strain, MembraneModel::arc}) {
+            ShellEnergyOptions options{.bending = {.model = model}, .membrane = membrane};
+            options.yields = {1e4};
+            const ShellEnergies energies(sheet->mechanics(), options);
+            const HingeMeasures all = hinge_measures(*sheet, x, energies.coupled_curvatures(x),
+                                                     energies.face_strains(x), energies.kept_curvatures(x));
+            for (Index hinge = 0; hinge < static_cast<Index>(all.strain.size()); ++hinge) {
+                const std::array<Index, 2> faces = faces_of_hinge(*sheet, hinge);
+                const HingeMeasure one =
+                    hinge_measure(*sheet, hinge, x, energies.coupled_curvatures(x, faces),
+                                  energies.face_strains(x, faces), energies.kept_curvatures(x, faces));
+                ASSERT_EQ(one.bending, all.bending[hinge]) << hinge;
+                ASSERT_EQ(one.strain, all.strain[hinge]) << hinge;
+                ASSERT_EQ(one.stress, all.stress[hinge]) << hinge;
+            }
+        }
 }
 
 }  // namespace

@@ -8,10 +8,10 @@
 namespace sherd {
 namespace {
 
-const Attempt unsolved{{Outcome::unsolved}, Urgency::unsolved}, crack{{}, Urgency::crack},
-    failed{{Outcome::failed, "why"}, Urgency::overwhelmed};
+const Attempt unsolved_step{{Outcome::unsolved}, Urgency::unsolved}, cracked_step{{}, Urgency::crack},
+    failed_step{{Outcome::failed, "why"}, Urgency::overwhelmed};
 
-SimulationOptions options_of(bool alternates) {
+SimulationOptions policy_options(bool alternates) {
     SimulationOptions options;
     options.stepper.step = 1024;
     options.alternates = alternates;
@@ -20,26 +20,26 @@ SimulationOptions options_of(bool alternates) {
 }
 
 /// Retries until nothing is left or the scheme changes; returns the number of halvings.
-Index halvings(StepPolicy& policy) {
+Index count_halvings(StepPolicy& policy) {
     StepReport report;
     const SchemeChoice before = policy.choice();
-    while (policy.choice() == before && policy.retry(unsolved, report)) {
+    while (policy.choice() == before && policy.retry(unsolved_step, report)) {
     }
     return report.halvings;
 }
 
 TEST(StepPolicy, HalvesAStepToTheSmallestOne) {
-    StepPolicy policy(options_of(false), 0);
+    StepPolicy policy(policy_options(false), 0);
     policy.begin_step();
-    EXPECT_EQ(halvings(policy), StepSize::most_halvings);
+    EXPECT_EQ(count_halvings(policy), StepSize::most_halvings);
     EXPECT_EQ(policy.size(), 1);
     StepReport report;
-    EXPECT_FALSE(policy.retry(unsolved, report));
+    EXPECT_FALSE(policy.retry(unsolved_step, report));
     EXPECT_EQ(policy.choice().scheme, Scheme::implicit_euler);
 }
 
 TEST(StepPolicy, TellsWhyAResultIsInVain) {
-    const StepPolicy policy(options_of(true), 0);
+    const StepPolicy policy(policy_options(true), 0);
     EXPECT_EQ(policy.urgency({Outcome::too_long}), Urgency::unsolved);
     EXPECT_EQ(policy.urgency({Outcome::passage}), Urgency::passage);
     EXPECT_EQ(policy.urgency({Outcome::failed}), Urgency::unsolved) << "of an implicit step";
@@ -48,7 +48,7 @@ TEST(StepPolicy, TellsWhyAResultIsInVain) {
 // A shorter step cannot help where sheets overlap.
 TEST(StepPolicy, HasNothingLeftWhereASchemeHasFailed) {
     for (const bool alternates : {false, true}) {
-        StepPolicy policy(options_of(alternates), 0);
+        StepPolicy policy(policy_options(alternates), 0);
         policy.begin_step();
         StepReport report;
         EXPECT_FALSE(policy.retry({{Outcome::failed}, Urgency::unsolved}, report));
@@ -56,32 +56,32 @@ TEST(StepPolicy, HasNothingLeftWhereASchemeHasFailed) {
 }
 
 TEST(StepPolicy, GoesExplicitAndBackWhereThatFails) {
-    StepPolicy policy(options_of(true), 0);
+    StepPolicy policy(policy_options(true), 0);
     policy.begin_step();
     StepReport report;
-    ASSERT_TRUE(policy.retry(crack, report));
+    ASSERT_TRUE(policy.retry(cracked_step, report));
     EXPECT_EQ(policy.choice(), (SchemeChoice{Scheme::explicit_differences, true}));
     EXPECT_EQ(policy.size(), 64);
     EXPECT_EQ(report.urgency, Urgency::crack);
-    EXPECT_EQ(policy.urgency(failed.result), Urgency::overwhelmed);
+    EXPECT_EQ(policy.urgency(failed_step.result), Urgency::overwhelmed);
 
     policy.begin_step();
-    ASSERT_TRUE(policy.retry(failed, report));
+    ASSERT_TRUE(policy.retry(failed_step, report));
     EXPECT_FALSE(policy.is_explicit());
     EXPECT_EQ(policy.size(), 1024);
     EXPECT_EQ(report.urgency, Urgency::overwhelmed);
     EXPECT_EQ(policy.judge({2, true, 0, 0, 1}), Urgency::none) << "explicit steps would fail again at once";
 
-    EXPECT_EQ(halvings(policy), StepSize::most_halvings);
+    EXPECT_EQ(count_halvings(policy), StepSize::most_halvings);
     EXPECT_EQ(policy.choice(), (SchemeChoice{Scheme::explicit_differences, false})) << "the last resort";
-    EXPECT_FALSE(policy.retry(failed, report)) << "which is tried once";
+    EXPECT_FALSE(policy.retry(failed_step, report)) << "which is tried once";
 }
 
 TEST(StepPolicy, ReturnsToImplicitStepsAfterSomeQuiet) {
-    StepPolicy policy(options_of(true), 0);
+    StepPolicy policy(policy_options(true), 0);
     policy.begin_step();
     StepReport report;
-    ASSERT_TRUE(policy.retry(crack, report));
+    ASSERT_TRUE(policy.retry(cracked_step, report));
     int steps = 0;
     for (; policy.is_explicit() && steps < 1000; ++steps) {
         policy.begin_step();
