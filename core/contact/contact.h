@@ -73,7 +73,7 @@ class Contact {
 
   private:
     const Shell& shell;
-    ContactOptions options;
+    const ContactOptions options;
     std::unique_ptr<BodyContact> body_contact;  ///< null if there are no bodies
     std::vector<std::unique_ptr<ObstacleContact>> obstacle_contact;
     /// Null if sheets do not collide with each other and no obstacle has a surface.

@@ -158,7 +158,7 @@ class Stepper {
     const StepperOptions options;
     ShellEnergies forces;
     EnergyLedger ledger;
-    double time = 0;  ///< s, end of the finished steps
+    double time = 0;  ///< s, end of the finished steps: the sum of their lengths, with its round-off
 
     friend std::unique_ptr<Stepper> with_scheme(std::unique_ptr<Stepper> before, Scheme scheme,
                                                 bool barriers_follow);

@@ -75,7 +75,7 @@ class ExplicitContact {
     /// Friction, N, on the vertices of a pair.
     PairPositions friction_of(const ContactPair& pair, const Substep& substep, const Positions& all) const;
 
-    ContactOptions options;
+    const ContactOptions options;
     const Shell& shell;
     Threads threads;
     ExplicitBodies bodies;
