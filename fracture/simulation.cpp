@@ -199,14 +199,14 @@ void Simulation::take_scheme() {
 }
 
 std::string Simulation::where() const {
-    const bool statics = options.stepper.scheme == Scheme::statics;
+    const bool statics = is_static();
     std::ostringstream text;
     text << "step " << steps << ", at " << (statics ? "load " : "") << time() << (statics ? ": " : " s: ");
     return text.str();
 }
 
 std::string Simulation::failure(const Attempt& last) const {
-    const bool statics = options.stepper.scheme == Scheme::statics;
+    const bool statics = is_static();
     const char* unit = statics ? "" : " s";
     std::ostringstream text;
     text << where();

@@ -86,6 +86,7 @@ class Simulation {
     }
     /// Replaces the stepper by one of the scheme that the policy has chosen.
     void take_scheme();
+    bool is_static() const { return options.stepper.scheme == Scheme::statics; }
     std::string where() const;                       ///< step and time, for messages
     std::string failure(const Attempt& last) const;  ///< message where no other attempt is left
     /// Re-enables contact between crack faces, and between what overlapped at the start, that are apart where
