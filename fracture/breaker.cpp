@@ -2,6 +2,7 @@
 #include "fracture/breaker.h"
 
 #include <algorithm>
+#include <array>
 
 #include "fracture/residual_stress.h"
 #include "fracture/small_pieces.h"

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
 #include "core/state_visitor.h"
 #include "core/time/stepper.h"
 #include "fracture/crack_growth.h"

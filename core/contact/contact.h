@@ -2,6 +2,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "core/contact/bodies/body_contact.h"
 #include "core/contact/contact_options.h"

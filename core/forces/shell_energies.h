@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "core/bending/bending.h"
 #include "core/bending/coupled_bending.h"

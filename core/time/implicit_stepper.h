@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "core/batches/elastic_energy.h"
 #include "core/contact/contact.h"
 #include "core/solver/minimiser.h"

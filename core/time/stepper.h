@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "core/contact/colliders/touch.h"
 #include "core/contact/contact_options.h"

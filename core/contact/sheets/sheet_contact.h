@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "core/contact/colliders/contact_colliders.h"
 #include "core/contact/detection/near_pairs.h"
 #include "core/element_energy.h"
