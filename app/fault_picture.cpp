@@ -106,10 +106,10 @@ TriangleSheet painted(const Picture& picture) {
         // Programs that ignore the colours of faces show those of points, so no points are shared.
         for (const Vector3d& corner : picture.triangles[t]) {
             sheet.points.push_back(corner);
-            sheet.point_colour.push_back(colour);
+            sheet.look.vertex_colour.push_back(colour);
         }
         sheet.triangles.push_back({first, first + 1, first + 2});
-        sheet.colour.push_back(colour);
+        sheet.look.face_colour.push_back(colour);
     }
     return sheet;
 }

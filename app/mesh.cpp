@@ -62,7 +62,7 @@ TriangleSheet made(const SheetSpec& sheet, const Scene& scene, bool placed) {
     print_warnings(warnings);
     if (!placed) return mesh;
     for (Vector3d& point : mesh.points) point = sheet.place * point;
-    for (Vector3d& axis : mesh.axis) axis = sheet.place.linear() * axis;
+    for (Vector3d& axis : mesh.look.axis) axis = sheet.place.linear() * axis;
     return mesh;
 }
 
@@ -105,7 +105,7 @@ int write_meshes(const MeshOptions& options) {
         if (has_material_file(job.sheet, job.file)) {
             const fs::path materials = material_file(job.file);
             PendingFile pending(materials, Fault::input, lock);
-            pending.write(material_text(job.sheet.material, job.file));
+            pending.write(material_text(job.sheet.look.material, job.file));
             pending.publish(options.force);
             print_result("{}\n", materials.string());
         }

@@ -101,7 +101,7 @@ ProbeShapes read_probe_shapes(const std::filesystem::path& rest, const std::file
     const PolygonSoup rest_soup = read_polygon_soup(rest), deformed_soup = read_polygon_soup(deformed);
     check_polygon_soup(deformed_soup);
     require_same_faces(rest_soup, deformed_soup);
-    const auto number = find_property<Vertex, std::uint32_t>(shapes.rest, property::file_vertex).first;
+    const auto number = find_property(shapes.rest, attribute::file_vertex).first;
     shapes.deformed.setZero(3, static_cast<Eigen::Index>(rest_soup.points.size()));
     for (const Vertex vertex : shapes.rest.vertices()) {
         const Point& p = deformed_soup.points[number[vertex]];

@@ -22,6 +22,7 @@
 #include "app/view/view_data.h"
 #include "app/words/print.h"
 #include "meshops/error.h"
+#include "meshops/shared_values.h"
 
 namespace sherd {
 namespace {
@@ -83,7 +84,7 @@ std::optional<PageLook> look_for(const Recording& recording, const Snapshot& las
                                  double most_bytes, std::vector<std::string>& warnings) {
     const SurfaceLook look = recording.header().rest_look;
     if (!look.paints()) return std::nullopt;
-    const double picture_bytes = look.materials.empty() ? 0 : most_bytes / 4;
+    const double picture_bytes = shared_values(look.material).rows.empty() ? 0 : most_bytes / 4;
     const auto frames = static_cast<double>(std::min(recording.frame_count(), enough_frames));
     const double others = static_cast<double>(last.position.cols()) * (frames * frame_bytes + face_bytes);
     const auto arrays = static_cast<double>(look_bytes(look, last.faces.size()));

@@ -7,7 +7,7 @@
 #include <string>
 #include <tuple>
 
-#include "fracture/surface_look.h"
+#include "meshops/attributes.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -24,7 +24,7 @@ Index number(std::size_t element) {
 Mesh joined(const std::vector<SheetInput>& inputs) {
     Mesh all = inputs.front().mesh;
     // join() copies only properties that `all` has, too.
-    for (const SheetInput& input : inputs) take_looks(all, input.mesh);
+    for (const SheetInput& input : inputs) take_properties(all, input.mesh);
     for (std::size_t i = 1; i < inputs.size(); ++i) all.join(inputs[i].mesh);
     return all;
 }

@@ -3,11 +3,7 @@
 
 #include <stdexcept>
 
-#include "fracture/shared_values.h"
-#include "fracture/surface_look.h"
-#include "meshops/face_groups.h"
-#include "meshops/file_weights.h"
-#include "meshops/read_mesh.h"
+#include "meshops/shared_values.h"
 
 namespace sherd {
 namespace {
@@ -54,26 +50,42 @@ void visit_points(StateVisitor& visit, Mesh& mesh) {
     }
 }
 
-template <class Element, class T, class Elements>
-void visit_property(StateVisitor& visit, Mesh& mesh, const char* name, const Elements& elements) {
-    auto [values, exists] = find_property<Element, T>(mesh, name);
+/// Visits materials, which have no visit_state().
+void visit_rows(StateVisitor& visit, std::vector<SurfaceMaterial>& materials) {
+    std::vector<std::array<std::string, 2>> texts;
+    for (const auto& [name, definition] : materials) texts.push_back({name, definition});
+    visit(texts);
+    if (!visit.reads()) return;
+    materials.clear();
+    for (const auto& [name, definition] : texts) materials.push_back({name, definition});
+}
+
+void visit_rows(StateVisitor& visit, std::vector<std::vector<std::string>>& groups) {
+    visit(groups);
+}
+
+template <class Value>
+void visit_list(StateVisitor& visit, std::vector<Value>& values) {
+    visit(values);
+}
+
+template <class T>
+void visit_list(StateVisitor& visit, std::vector<std::shared_ptr<const T>>& values) {
+    SharedValues<T> shared = shared_values(values);
+    visit_rows(visit, shared.rows);
+    visit(shared.number);
+    if (visit.reads()) values = listed(shared);
+}
+
+template <class Element, class Value, Inherits rule>
+void visit_property(StateVisitor& visit, Mesh& mesh, const Attribute<Element, Value, rule>& attribute) {
+    auto [values, exists] = find_property(mesh, attribute);
     if (!exists) return;
-    for (const Element element : elements) visit(values[element]);
-}
-
-void visit_groups(StateVisitor& visit, Mesh& mesh) {
-    auto groups = shared_values<std::vector<std::string>>(mesh, property::groups);
-    if (groups.number.empty()) return;
-    visit(groups.rows, groups.number);
-    if (visit.reads()) give_values(groups, property::groups, mesh);
-}
-
-void visit_surface_materials(StateVisitor& visit, Mesh& mesh) {
-    auto materials = shared_values<SurfaceMaterial>(mesh, property::surface_material);
-    if (materials.number.empty()) return;
-    visit_materials(visit, materials.rows);
-    visit(materials.number);
-    if (visit.reads()) give_values(materials, property::surface_material, mesh);
+    std::vector<Value> list;
+    for (const Element element : elements<Element>(mesh)) list.push_back(values[element]);
+    visit_list(visit, list);
+    if (!visit.reads()) return;
+    for (const Element element : elements<Element>(mesh)) values[element] = list[element.idx()];
 }
 
 }  // namespace
@@ -83,14 +95,11 @@ void visit_mesh(StateVisitor& visit, Mesh& mesh) {
     visit_size(visit, mesh);
     visit_links(visit, mesh);
     visit_points(visit, mesh);
-    visit_property<Face, FaceTexture>(visit, mesh, property::texture, mesh.faces());
-    visit_property<Face, Eigen::Vector3d>(visit, mesh, property::axis, mesh.faces());
-    visit_property<Vertex, std::uint32_t>(visit, mesh, property::file_vertex, mesh.vertices());
-    visit_property<Vertex, FileWeights>(visit, mesh, property::file_weights, mesh.vertices());
-    visit_property<Face, Colour>(visit, mesh, property::face_colour, mesh.faces());
-    visit_property<Vertex, Colour>(visit, mesh, property::vertex_colour, mesh.vertices());
-    visit_groups(visit, mesh);
-    visit_surface_materials(visit, mesh);
+    visit_mesh_attributes([&](const auto& attribute) { visit_property(visit, mesh, attribute); });
+}
+
+void visit_look(StateVisitor& visit, SurfaceLook& look) {
+    visit_surface_attributes([&](const auto& attribute) { visit_list(visit, look.*attribute.list); });
 }
 
 }  // namespace sherd

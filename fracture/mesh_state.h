@@ -2,13 +2,15 @@
 #pragma once
 
 #include "core/state_visitor.h"
-#include "meshops/mesh.h"
+#include "meshops/attributes.h"
 
 namespace sherd {
 
-/// Visits a mesh: its connectivity by element numbers, its points, and its properties of mesh.h,
-/// face_groups.h, read_mesh.h, file_weights.h, surface_colour.h and surface_material.h. Throws
+/// Visits a mesh: its connectivity by element numbers, its points, and its attributes. Throws
 /// std::logic_error if the mesh has removed elements, which no crack leaves.
 void visit_mesh(StateVisitor& visit, Mesh& mesh);
+
+/// Visits the lists of a look, of which equal values are stored once.
+void visit_look(StateVisitor& visit, SurfaceLook& look);
 
 }  // namespace sherd

@@ -20,6 +20,14 @@ Vector3d in_plane_of(const Matrix3d& corners, const Vector3d& point) {
     return {1 - second - third, second, third};
 }
 
+SurfaceLook recorded_look(const Mesh& mesh, std::span<const Index> original, const RestMesh& rest) {
+    SurfaceLook look = surface_look(mesh, original, static_cast<std::size_t>(rest.position.cols()));
+    visit_surface_attributes([&](const auto& attribute) {
+        if (*attribute.recorded == 0) (look.*attribute.list).clear();
+    });
+    return look;
+}
+
 }  // namespace
 
 RestMesh unbroken_mesh(Positions position, std::vector<std::array<Index, 3>> faces, std::vector<double> area,
@@ -68,8 +76,7 @@ Snapshot take_snapshot(const BreakableShell& shell, std::span<const Index> face_
     const Mesh& mesh = shell.mesh();
     snapshot.original = shell.ancestry().columns();
     snapshot.rest = shell.ancestry().rest(mechanics);
-    snapshot.rest.look =
-        surface_look(mesh, snapshot.original, static_cast<std::size_t>(snapshot.rest.position.cols()));
+    snapshot.rest.look = recorded_look(mesh, snapshot.original, snapshot.rest);
     for (const Edge edge : mesh.edges()) {
         snapshot.edges.push_back(
             {static_cast<Index>(mesh.vertex(edge, 0)), static_cast<Index>(mesh.vertex(edge, 1))});

@@ -9,7 +9,8 @@
 #include "core/shell/face_fields.h"
 #include "core/state_visitor.h"
 #include "fracture/edge_state.h"
-#include "fracture/surface_look.h"
+#include "fracture/mesh_state.h"
+#include "meshops/attributes.h"
 
 namespace sherd {
 
@@ -28,15 +29,16 @@ struct RestMesh {
     std::vector<Index> face_parent;  ///< [F] face of the unfractured mesh that covers it, or most of it
     /// [F] 1 for faces that cover parts of several: not all corners lie in the parent; empty: there is none.
     std::vector<std::uint8_t> face_mixed = {};
-    SurfaceLook look = {};
+    SurfaceLook look = {};  ///< what is recorded of it, with vertices [R] and faces [F]
     std::vector<std::array<Index, 3>> unbroken_faces;  ///< [F0] faces of the unfractured mesh
     Positions unbroken_position = {};                  ///< [3, V0] m, vertices of the unfractured mesh
 
     void visit_state(StateVisitor& visit) {
         auto& [position, faces, area, thickness, vertex_parents, vertex_weights, face_parent, face_mixed,
                look, unbroken_faces, unbroken_position] = *this;
-        visit(position, faces, area, thickness, vertex_parents, vertex_weights, face_parent, face_mixed, look,
+        visit(position, faces, area, thickness, vertex_parents, vertex_weights, face_parent, face_mixed,
               unbroken_faces, unbroken_position);
+        visit_look(visit, look);
     }
 };
 

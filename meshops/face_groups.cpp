@@ -6,7 +6,7 @@
 namespace sherd {
 
 std::vector<std::string> group_names(const Mesh& mesh) {
-    const auto [groups, exists] = find_property<Face, GroupNames>(mesh, property::groups);
+    const auto [groups, exists] = find_property(mesh, attribute::groups);
     std::vector<std::string> names;
     if (!exists) return names;
     GroupNames last;
@@ -22,7 +22,7 @@ std::vector<std::string> group_names(const Mesh& mesh) {
 }
 
 bool is_in_group(const Mesh& mesh, Vertex vertex, std::string_view group) {
-    const auto [groups, exists] = find_property<Face, GroupNames>(mesh, property::groups);
+    const auto [groups, exists] = find_property(mesh, attribute::groups);
     if (!exists) return false;
     for (const Face face : mesh.faces_around_target(mesh.halfedge(vertex))) {
         if (face == Mesh::null_face() || !groups[face]) continue;

@@ -6,16 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "meshops/mesh.h"
+#include "meshops/attributes.h"
 
 namespace sherd {
-
-/// The names of the groups of a face, shared by faces that follow each other in the file; null: in no group.
-using GroupNames = std::shared_ptr<const std::vector<std::string>>;
-
-namespace property {
-inline constexpr const char* groups = "f:groups";  ///< GroupNames of each face
-}  // namespace property
 
 /// The names of all faces' groups, each once, in alphabetical order; empty if the mesh has none.
 std::vector<std::string> group_names(const Mesh& mesh);

@@ -27,13 +27,6 @@ using Face = Mesh::Face_index;
 /// mesh.vertices_around_face(mesh.halfedge(f)).
 using FaceTexture = std::array<Eigen::Vector2d, 3>;
 
-/// Names of the mesh's optional property maps.
-namespace property {
-inline constexpr const char* texture = "f:texture";  ///< FaceTexture of each face
-inline constexpr const char* file_vertex =
-    "v:file_vertex";  ///< std::uint32_t, number of the vertex in the file read, from 0
-}  // namespace property
-
 /// Result of a query for a property map, from CGAL 5 or CGAL 6, in the form of CGAL 5.
 template <class Map>
 std::pair<Map, bool> found_property(const std::pair<Map, bool>& answer) {

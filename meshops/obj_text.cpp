@@ -36,7 +36,7 @@ void append_named_groups(std::string& text, const GroupNames& names, bool has_ob
 
 bool has_objects(const TriangleSheet& sheet) {
     const auto is_long = [](const std::string& name) { return name.find(' ') != name.npos; };
-    return std::ranges::any_of(sheet.named_groups, [&](const GroupNames& names) {
+    return std::ranges::any_of(sheet.look.groups, [&](const GroupNames& names) {
         return names && std::ranges::any_of(*names, is_long);
     });
 }
@@ -67,12 +67,12 @@ std::vector<std::array<std::size_t, 3>> append_corners(std::string& text, const 
 /// Appends the lines with the groups and the material of a triangle, if they differ from the previous ones.
 void append_state(std::string& text, const TriangleSheet& sheet, std::size_t triangle, bool objects,
                   ObjState& state) {
-    if (!sheet.named_groups.empty() && sheet.named_groups[triangle] != state.names) {
-        state.names = sheet.named_groups[triangle];
+    if (!sheet.look.groups.empty() && sheet.look.groups[triangle] != state.names) {
+        state.names = sheet.look.groups[triangle];
         append_named_groups(text, state.names, objects);
     }
-    if (!sheet.material.empty() && !is_same(sheet.material[triangle], state.material)) {
-        state.material = sheet.material[triangle];
+    if (!sheet.look.material.empty() && !is_same(sheet.look.material[triangle], state.material)) {
+        state.material = sheet.look.material[triangle];
         append_all(text, "usemtl ", writable_name(material_name(state.material)).c_str(), "\n");
     }
 }
@@ -93,7 +93,7 @@ void append_object(std::string& text, const TriangleSheet& sheet, const std::vec
         const auto& p = sheet.points[i];
         append_all(text, "v ", p.x(), " ", p.y(), " ", p.z(), "\n");
     }
-    const auto texture = append_corners(text, "vt", sheet.texture, triangles, state.texture);
+    const auto texture = append_corners(text, "vt", sheet.look.texture, triangles, state.texture);
     const auto normal = append_corners(text, "vn", rounded(sheet.normal), triangles, state.normals);
     const bool objects = has_objects(sheet);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -131,7 +131,7 @@ std::string library_name(const fs::path& file) {
 
 std::string obj_text(const TriangleSheet& sheet, const fs::path& file) {
     std::string text;
-    if (!sheet.material.empty()) append_all(text, "mtllib ", library_name(file).c_str(), "\n");
+    if (!sheet.look.material.empty()) append_all(text, "mtllib ", library_name(file).c_str(), "\n");
     ObjState state;
     std::vector<std::vector<std::size_t>> triangles(std::max<std::size_t>(sheet.group_names.size(), 1));
     for (std::size_t t = 0; t < sheet.triangles.size(); ++t) {

@@ -54,9 +54,11 @@ class ObjParser {
         require_faces();
         warn_of_skipped();
         if (!has_texture) soup.texture.clear();
+        const auto is_named = [](const GroupNames& names) { return names != nullptr; };
+        if (std::ranges::none_of(soup.look.groups, is_named)) soup.look.groups.clear();
         for (auto& [name, material] : materials) material->definition = definitions[name];
         if (materials.empty())
-            soup.material.clear();
+            soup.look.material.clear();
         else
             soup.warnings.insert(soup.warnings.end(), missing_libraries.begin(), missing_libraries.end());
         return std::move(soup);
@@ -227,8 +229,8 @@ class ObjParser {
         soup.polygons.push_back(std::move(polygon));
         soup.texture.push_back(std::move(texture));
         soup.polygon_line.push_back(line_number);
-        soup.groups.push_back(present_groups());
-        soup.material.push_back(face_material);
+        soup.look.groups.push_back(present_groups());
+        soup.look.material.push_back(face_material);
     }
 
     /// Fills in texture points that follow the faces which name them.

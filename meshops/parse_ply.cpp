@@ -3,8 +3,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 
+#include "meshops/attributes.h"
 #include "meshops/error.h"
 #include "meshops/ply_header.h"
 #include "meshops/polygon_soup.h"
@@ -206,6 +208,52 @@ class ColourColumns {
     double most_colour = 0, most_opacity = 0;
 };
 
+/// The attributes of an element's rows that the file has, but for colours: numbers and vectors.
+template <class Element>
+class AttributeColumns {
+  public:
+    explicit AttributeColumns(const PlyElement& element) {
+        visit([&](const auto& attribute) {
+            for (const std::string& name : ply_names(attribute))
+                if (const auto found = element.find({name}); found && !element.properties[*found].count)
+                    columns[name] = {*found, {}};
+        });
+    }
+
+    void add(const std::vector<std::vector<double>>& row) {
+        for (auto& [name, column] : columns) column.values.push_back(row[column.number][0]);
+    }
+
+    void give(SurfaceLook& look) const {
+        visit([&]<class Value, Inherits rule>(const Attribute<Element, Value, rule>& attribute) {
+            const std::vector<std::string> names = ply_names(attribute);
+            if (!std::ranges::all_of(names, [&](const auto& name) { return columns.contains(name); })) return;
+            std::vector<Value>& list = look.*attribute.list;
+            for (std::size_t i = 0; i < names.size(); ++i) {
+                const std::vector<double>& values = columns.at(names[i]).values;
+                list.resize(values.size());
+                for (std::size_t row = 0; row < values.size(); ++row) numbers_of(list[row])[i] = values[row];
+            }
+        });
+    }
+
+  private:
+    template <class Visit>
+    static void visit(const Visit& visit) {
+        visit_surface_attributes(
+            [&]<class E, class Value, Inherits rule>(const Attribute<E, Value, rule>& attribute) {
+                if constexpr (std::same_as<E, Element> && IsNumbers<Value>)
+                    if (*attribute.ply != 0) visit(attribute);
+            });
+    }
+
+    struct Column {
+        std::size_t number;
+        std::vector<double> values;
+    };
+    std::map<std::string, Column> columns;
+};
+
 void read_vertices(PlyRows& rows, const PlyElement& element, PolygonSoup& soup) {
     std::array<std::size_t, 3> column;
     for (const auto& [i, name] : {std::pair{0, "x"}, {1, "y"}, {2, "z"}}) {
@@ -217,13 +265,16 @@ void read_vertices(PlyRows& rows, const PlyElement& element, PolygonSoup& soup) 
         column[i] = *found;
     }
     ColourColumns colours(element);
+    AttributeColumns<Vertex> attributes(element);
     for (std::size_t row = 0; row < element.rows; ++row) {
         const auto& values = rows.next(element, row);
         colours.add(values);
+        attributes.add(values);
         soup.points.emplace_back(values[column[0]][0], values[column[1]][0], values[column[2]][0]);
         if (rows.line_number() > 0) soup.point_line.push_back(rows.line_number());
     }
-    soup.point_colour = colours.colours();
+    soup.look.vertex_colour = colours.colours();
+    attributes.give(soup.look);
 }
 
 bool has_vertices(const PlyElement& element) {
@@ -294,20 +345,17 @@ void read_strips(PlyRows& rows, const PlyElement& element, PolygonSoup& soup) {
 
 void read_faces(PlyRows& rows, const PlyElement& element, PolygonSoup& soup) {
     const std::size_t list = vertex_list(soup.file, element);
-    std::vector<std::size_t> axis;
-    for (const char* name : {"axis_x", "axis_y", "axis_z"})
-        if (const auto found = element.find({name}); found && !element.properties[*found].count)
-            axis.push_back(*found);
     ColourColumns colours(element);
+    AttributeColumns<Face> attributes(element);
     for (std::size_t row = 0; row < element.rows; ++row) {
         const auto& values = rows.next(element, row);
         colours.add(values);
+        attributes.add(values);
         soup.polygons.push_back(corners(values[list]));
         if (rows.line_number() > 0) soup.polygon_line.push_back(rows.line_number());
-        if (axis.size() == 3)
-            soup.axis.emplace_back(values[axis[0]][0], values[axis[1]][0], values[axis[2]][0]);
     }
-    soup.colour = colours.colours();
+    soup.look.face_colour = colours.colours();
+    attributes.give(soup.look);
 }
 
 }  // namespace

@@ -6,10 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "meshops/face_groups.h"
-#include "meshops/mesh.h"
-#include "meshops/surface_colour.h"
-#include "meshops/surface_material.h"
+#include "meshops/attributes.h"
 
 namespace sherd {
 
@@ -19,11 +16,7 @@ struct PolygonSoup {
     std::vector<Point> points;
     std::vector<std::vector<std::size_t>> polygons;     ///< corners, as indices into `points`
     std::vector<std::vector<Eigen::Vector2d>> texture;  ///< texture coordinates of each corner; empty: none
-    std::vector<Eigen::Vector3d> axis;                  ///< material axis of each polygon; empty: none
-    std::vector<GroupNames> groups;         ///< groups of each polygon; empty if the format has none
-    std::vector<FaceMaterial> material;     ///< material of each polygon; empty: none
-    std::vector<Colour> point_colour;       ///< colour of each point; empty: none
-    std::vector<Colour> colour;             ///< colour of each polygon; empty: none
+    SurfaceLook look;                       ///< of points and polygons, without texture coordinates
     std::vector<std::string> warnings;      ///< sentences on missing files and skipped content
     std::vector<std::size_t> point_line;    ///< line of each point, from 1; empty if the format has no lines
     std::vector<std::size_t> polygon_line;  ///< line of each polygon, likewise

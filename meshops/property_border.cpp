@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshops/property_border.h"
 
-#include "meshops/face_groups.h"
+#include "meshops/attributes.h"
 #include "meshops/mesh_measures.h"
-#include "meshops/surface_material.h"
 
 namespace sherd {
 namespace {
@@ -16,7 +15,7 @@ std::array<Eigen::Vector2d, 2> texture_along(const Mesh& mesh, Halfedge h, const
 }
 
 bool is_seam(const Mesh& mesh, Halfedge h, Halfedge other) {
-    const auto [texture, exists] = find_property<Face, FaceTexture>(mesh, property::texture);
+    const auto [texture, exists] = find_property(mesh, attribute::texture);
     if (!exists) return false;
     const auto here = texture_along(mesh, h, texture[mesh.face(h)]);
     const auto there = texture_along(mesh, other, texture[mesh.face(other)]);
@@ -24,15 +23,12 @@ bool is_seam(const Mesh& mesh, Halfedge h, Halfedge other) {
 }
 
 bool separates_groups(const Mesh& mesh, Halfedge h, Halfedge other) {
-    const auto [groups, exists] = find_property<Face, GroupNames>(mesh, property::groups);
-    if (!exists) return false;
-    const GroupNames &here = groups[mesh.face(h)], &there = groups[mesh.face(other)];
-    if (!here || !there) return here != there;
-    return *here != *there;
+    const auto [groups, exists] = find_property(mesh, attribute::groups);
+    return exists && !is_same(groups[mesh.face(h)], groups[mesh.face(other)]);
 }
 
 bool separates_materials(const Mesh& mesh, Halfedge h, Halfedge other) {
-    const auto [material, exists] = find_property<Face, FaceMaterial>(mesh, property::surface_material);
+    const auto [material, exists] = find_property(mesh, attribute::surface_material);
     return exists && !is_same(material[mesh.face(h)], material[mesh.face(other)]);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <span>
 
+#include "meshops/attributes.h"
 #include "meshops/error.h"
 #include "meshops/flat_triangles.h"
 #include "meshops/inside_out.h"
@@ -70,6 +71,7 @@ struct Reading {
     /// wanted: number of points that are not joined to others.
     void tell_unused(std::size_t wanted) const;
     Mesh build() const;
+    void give_attributes(Mesh& mesh) const;
 };
 
 void Reading::drop_few_corners() {
@@ -235,7 +237,7 @@ Mesh Reading::build() const {
         for (const auto point : triangle) is_used[point] = true;
     }
     Mesh mesh;
-    auto file_vertex = mesh.add_property_map<Vertex, std::uint32_t>(property::file_vertex).first;
+    auto file_vertex = add_property(mesh, attribute::file_vertex);
     std::vector<Vertex> vertex_of(soup.points.size());
     for (std::size_t i = 0; i < soup.points.size(); ++i) {
         if (!is_used[i]) continue;
@@ -250,32 +252,26 @@ Mesh Reading::build() const {
         }
     }
     if (!soup.texture.empty()) {
-        auto texture = mesh.add_property_map<Face, FaceTexture>(property::texture).first;
+        auto texture = add_property(mesh, attribute::texture);
         for (const Face face : mesh.faces()) texture[face] = soup.texture[face.idx()];
     }
-    if (!polygons.axis.empty()) {
-        auto axis = mesh.add_property_map<Face, Eigen::Vector3d>(property::axis).first;
-        for (const Face face : mesh.faces()) axis[face] = polygons.axis[soup.polygon[face.idx()]];
-    }
-    const auto is_named = [](const GroupNames& names) { return names != nullptr; };
-    if (std::ranges::any_of(polygons.groups, is_named)) {
-        auto groups = mesh.add_property_map<Face, GroupNames>(property::groups).first;
-        for (const Face face : mesh.faces()) groups[face] = polygons.groups[soup.polygon[face.idx()]];
-    }
-    if (!polygons.material.empty()) {
-        auto material = mesh.add_property_map<Face, FaceMaterial>(property::surface_material).first;
-        for (const Face face : mesh.faces()) material[face] = polygons.material[soup.polygon[face.idx()]];
-    }
-    if (!polygons.colour.empty()) {
-        auto colour = mesh.add_property_map<Face, Colour>(property::face_colour).first;
-        for (const Face face : mesh.faces()) colour[face] = polygons.colour[soup.polygon[face.idx()]];
-    }
-    if (!polygons.point_colour.empty()) {
-        auto colour = mesh.add_property_map<Vertex, Colour>(property::vertex_colour).first;
-        for (const Vertex vertex : mesh.vertices())
-            colour[vertex] = polygons.point_colour[file_vertex[vertex]];
-    }
+    give_attributes(mesh);
     return mesh;
+}
+
+void Reading::give_attributes(Mesh& mesh) const {
+    const auto file_vertex = find_property(mesh, attribute::file_vertex).first;
+    visit_surface_attributes(
+        [&]<class Element, class Value, Inherits rule>(const Attribute<Element, Value, rule>& attribute) {
+            const std::vector<Value>& list = polygons.look.*attribute.list;
+            if (list.empty()) return;
+            auto values = add_property(mesh, attribute);
+            for (const Element element : elements<Element>(mesh))
+                if constexpr (std::same_as<Element, Vertex>)
+                    values[element] = list[file_vertex[element]];
+                else
+                    values[element] = list[soup.polygon[element.idx()]];
+        });
 }
 
 }  // namespace

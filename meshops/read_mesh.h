@@ -10,11 +10,6 @@
 
 namespace sherd {
 
-namespace property {
-inline constexpr const char* axis =
-    "f:axis";  ///< Eigen::Vector3d, first material axis of each face, of any length
-}  // namespace property
-
 /// Extent of the repairs with which read_mesh() makes a mesh of a file's polygons. Basic repairs: fans of
 /// faces that meet in a single point get a point each, faces are turned over until neighbours agree, and
 /// vertices that no face uses are dropped.
@@ -44,21 +39,19 @@ struct ReadMeshOptions {
 /// Reads a triangle mesh from an .obj, .ply, .off or .stl file, text or binary if the format has both. Points
 /// of .stl are always joined, since the format repeats them for every triangle. Polygons are triangulated.
 /// Faces keep the order of the file (a polygon's triangles follow each other) and the order of their corners;
-/// where faces are turned over, the first corner stays the first. OBJ texture coordinates become
-/// property::texture, the face properties axis_x, axis_y, axis_z of PLY property::axis, OBJ groups and
-/// objects property::groups (face_groups.h), OBJ materials property::surface_material (surface_material.h),
-/// colours of PLY property::vertex_colour and property::face_colour (surface_colour.h); every mesh gets
-/// property::file_vertex. `warnings` gets a sentence, starting with the file's name, for each kind of change,
-/// and for seams: edges that lie on others, or within a thousandth of their length, without being joined to
-/// them, and vertices on edges that they do not divide. Throws Error naming the file (and line, vertex or
-/// face, numbered from 0) if the file is missing, unreadable, damaged or of unknown extension, on no faces,
-/// NaN or infinite coordinates, an index out of range, a polygon that crosses itself, a surface with only one
-/// side and on faults that `repair` does not allow to mend.
+/// where faces are turned over, the first corner stays the first. The mesh gets the attributes (attributes.h)
+/// that the file has: texture coordinates, groups and materials of OBJ, colours and numbers of PLY; every
+/// mesh gets attribute::file_vertex. `warnings` gets a sentence, starting with the file's name, for each kind
+/// of change, and for seams: edges that lie on others, or within a thousandth of their length, without being
+/// joined to them, and vertices on edges that they do not divide. Throws Error naming the file (and line,
+/// vertex or face, numbered from 0) if the file is missing, unreadable, damaged or of unknown extension, on
+/// no faces, NaN or infinite coordinates, an index out of range, a polygon that crosses itself, a surface
+/// with only one side and on faults that `repair` does not allow to mend.
 Mesh read_mesh(const std::filesystem::path& file, const ReadMeshOptions& options,
                std::vector<std::string>& warnings);
 
 /// Reads a property of the vertices of a .ply file: a number of any type for each, by its number in the file
-/// (property::file_vertex). The parts of a colour are from 0 to 1 whatever their type. Throws Error naming
+/// (attribute::file_vertex). The parts of a colour are from 0 to 1 whatever their type. Throws Error naming
 /// the file if it is missing, damaged or no PLY file, or has no such property.
 std::vector<double> read_vertex_property(const std::filesystem::path& file, const std::string& name);
 

@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "meshops/face_properties.h"
+#include "meshops/inherit_attributes.h"
 #include "meshops/mesh_measures.h"
 #include "meshops/overlay.h"
 #include "meshops/plane.h"
@@ -65,9 +65,7 @@ Retriangulation::Retriangulation(Mesh& mesh)
 void Retriangulation::replace(Face face) {
     if (face == Mesh::null_face() || shares.contains(face)) return;
     const Vector3d normal = triangle_normal(face_points(mesh, face));
-    const auto [texture, has_texture] = find_property<Face, FaceTexture>(mesh, property::texture);
-    old_faces[face] = {face_corners(mesh, face), normal.norm() / 2, normal,
-                       has_texture ? texture[face] : FaceTexture()};
+    old_faces[face] = {face_corners(mesh, face), normal.norm() / 2, normal};
     shares[face] = {{face, 1}};
 }
 
@@ -253,7 +251,7 @@ TopologyChange Retriangulation::finish() {
         for (const auto& [old, share] : fractions) weights[old] = share * old_faces.at(old).area / area;
         change.faces.push_back({face, parents_of(weights)});
     }
-    inherit_properties(mesh, old_faces, change);
+    inherit_attributes(mesh, old_faces, change);
     return change;
 }
 

@@ -14,7 +14,6 @@ struct ReplacedFace {
     std::array<Vertex, 3> corners;
     double area;             ///< m^2
     Eigen::Vector3d normal;  ///< with twice the area as its length, m^2
-    FaceTexture texture;     ///< texture coordinates, if the mesh has any
 };
 
 /// Changes the triangles of a sheet and records the parents of each new element. Each operation distributes
@@ -50,7 +49,7 @@ class Retriangulation {
     /// Position of a vertex before all changes, m; for an inserted vertex, its present position.
     Eigen::Vector3d old_position(Vertex vertex) const;
 
-    /// Ends the change: the new faces and vertices inherit the properties of the mesh, and the change is
+    /// Ends the change: the new faces and vertices inherit the attributes of the mesh, and the change is
     /// returned.
     TopologyChange finish();
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "meshops/surface_colour.h"
+#include "meshops/inherit_attributes.h"
 
 namespace sherd {
 namespace {
@@ -81,10 +81,7 @@ void join_borders(Mesh& mesh, const Sector& sector, Vertex old, Vertex vertex, s
 Vertex copy_vertex(Mesh& mesh, Vertex vertex) {
     const Point point = mesh.point(vertex);  // a copy, since adding a vertex may move all points
     const Vertex copy = mesh.add_vertex(point);
-    auto [number, found] = find_property<Vertex, std::uint32_t>(mesh, property::file_vertex);
-    if (found) number[copy] = number[vertex];
-    auto [colour, is_coloured] = find_property<Vertex, Colour>(mesh, property::vertex_colour);
-    if (is_coloured) colour[copy] = colour[vertex];
+    copy_attributes(mesh, vertex, copy);
     return copy;
 }
 

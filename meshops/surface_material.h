@@ -20,12 +20,10 @@ struct SurfaceMaterial {
 /// The material of a face, shared by faces that have the same; null: none.
 using FaceMaterial = std::shared_ptr<const SurfaceMaterial>;
 
-inline bool is_same(const FaceMaterial& a, const FaceMaterial& b) {
+/// Whether two shared values are equal, or both missing.
+template <class T>
+bool is_same(const std::shared_ptr<const T>& a, const std::shared_ptr<const T>& b) {
     return a == b || (a && b && *a == *b);
 }
-
-namespace property {
-inline constexpr const char* surface_material = "f:surface_material";  ///< FaceMaterial of each face
-}  // namespace property
 
 }  // namespace sherd

@@ -22,9 +22,13 @@ double angle_between(const Vector3d& a, const Vector3d& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// The texture coordinates of corners, given by their numbers in a triangle.
-FaceTexture texture_of(const FaceTexture& texture, const std::array<int, 3>& corners) {
-    return {texture[corners[0]], texture[corners[1]], texture[corners[2]]};
+/// Value of a triangle with these corners of another one, given by their numbers in that.
+template <class Value>
+Value with_corners(const Value& value, const std::array<int, 3>& corners) {
+    if constexpr (std::same_as<Value, FaceTexture>)
+        return {value[corners[0]], value[corners[1]], value[corners[2]]};
+    else
+        return value;
 }
 
 /// A side of a triangle that no other triangle shares.
@@ -183,16 +187,19 @@ TriangleSheet thickened(const TriangleSheet& sheet, std::span<const double> thic
     for (const auto& [t, corners] : source) {
         if (!sheet.group.empty()) body.group.push_back(sheet.group[t]);
         if (!sheet.quality.empty()) body.quality.push_back(sheet.quality[t]);
-        if (!sheet.texture.empty()) body.texture.push_back(texture_of(sheet.texture[t], corners));
-        if (!sheet.material.empty()) body.material.push_back(sheet.material[t]);
-        if (!sheet.colour.empty()) body.colour.push_back(sheet.colour[t]);
-        if (!sheet.named_groups.empty()) body.named_groups.push_back(sheet.named_groups[t]);
     }
+    visit_surface_attributes(
+        [&]<class Element, class Value, Inherits rule>(const Attribute<Element, Value, rule>& attribute) {
+            const std::vector<Value>& values = sheet.look.*attribute.list;
+            std::vector<Value>& list = body.look.*attribute.list;
+            if (values.empty()) return;
+            if constexpr (std::same_as<Element, Vertex>)
+                for (int side = 0; side < 2; ++side) list.insert(list.end(), values.begin(), values.end());
+            else
+                for (const auto& [t, corners] : source) list.push_back(with_corners(values[t], corners));
+        });
     body.shading.assign(2 * sheet.triangles.size(), Shading::smooth);
     body.shading.resize(body.triangles.size(), Shading::rim);
-    for (int side = 0; side < 2; ++side)
-        body.point_colour.insert(body.point_colour.end(), sheet.point_colour.begin(),
-                                 sheet.point_colour.end());
     body.group_names = sheet.group_names;
     return body;
 }

@@ -10,7 +10,7 @@ namespace sherd {
 /// Thickens the sheet to a closed body, oriented outward: point i becomes i (on the side that the normals
 /// point to) and P + i (on the other), triangle t becomes t and, with opposite orientation, T + t, followed
 /// by two triangles for each boundary edge, in the order of triangles and of their sides. Each connected part
-/// becomes a body of its own. Triangles keep their properties except axes and normals. Those along a boundary
+/// becomes a body of its own. Triangles keep their properties except normals. Those along a boundary
 /// edge take the properties of its triangle there, and are shaded as a rim. thickness: [T] m.
 ///
 /// Points are offset along the normal weighted by angle, so far that the area-weighted mean of the distances

@@ -8,11 +8,11 @@
 #include <memory>
 
 #include "meshops/error.h"
+#include "meshops/face_groups.h"
 #include "meshops/material_library.h"
 #include "meshops/number_text.h"
 #include "meshops/obj_text.h"
 #include "meshops/raw_bytes.h"
-#include "meshops/read_mesh.h"
 
 namespace sherd {
 namespace {
@@ -22,7 +22,8 @@ namespace fs = std::filesystem;
 /// Number of colour components in a PLY file: 4, with opacity, only if something is not opaque, otherwise 3.
 std::size_t colour_parts(const TriangleSheet& sheet) {
     const auto is_clear = [](const Colour& colour) { return colour[3] < 255; };
-    return std::ranges::any_of(sheet.colour, is_clear) || std::ranges::any_of(sheet.point_colour, is_clear)
+    return std::ranges::any_of(sheet.look.face_colour, is_clear) ||
+                   std::ranges::any_of(sheet.look.vertex_colour, is_clear)
                ? 4
                : 3;
 }
@@ -32,18 +33,46 @@ std::string colour_properties(const TriangleSheet& sheet) {
            (colour_parts(sheet) == 4 ? "property uchar alpha\n" : "");
 }
 
+/// Calls visit(list, names of its numbers) for each list of numbers of the sheet's points or triangles.
+template <class Element, class Visit>
+void visit_numbers(const TriangleSheet& sheet, const Visit& visit) {
+    visit_surface_attributes(
+        [&]<class E, class Value, Inherits rule>(const Attribute<E, Value, rule>& attribute) {
+            if constexpr (std::same_as<E, Element> && IsNumbers<Value>)
+                if (const std::vector<Value>& list = sheet.look.*attribute.list;
+                    !list.empty() && *attribute.ply != 0)
+                    visit(list, ply_names(attribute));
+        });
+}
+
+template <class Element>
+std::string number_properties(const TriangleSheet& sheet) {
+    std::string text;
+    visit_numbers<Element>(sheet, [&](const auto&, const std::vector<std::string>& names) {
+        for (const std::string& name : names) text += "property double " + name + "\n";
+    });
+    return text;
+}
+
+template <class Element>
+void append_numbers(std::string& bytes, const TriangleSheet& sheet, std::size_t i) {
+    visit_numbers<Element>(sheet, [&](const auto& list, const auto&) {
+        auto value = list[i];
+        for (const double number : numbers_of(value)) append_little_endian(bytes, number);
+    });
+}
+
 std::string ply_header(const TriangleSheet& sheet) {
     std::string text = "ply\nformat binary_little_endian 1.0\nelement vertex ";
     append_all(text, sheet.points.size(), "\nproperty double x\nproperty double y\nproperty double z\n");
-    if (!sheet.point_colour.empty()) text += colour_properties(sheet);
+    if (!sheet.look.vertex_colour.empty()) text += colour_properties(sheet);
+    text += number_properties<Vertex>(sheet);
     append_all(text, "element face ", sheet.triangles.size(), "\nproperty list uchar int vertex_indices\n");
-    if (!sheet.colour.empty()) text += colour_properties(sheet);
+    if (!sheet.look.face_colour.empty()) text += colour_properties(sheet);
     if (!sheet.group.empty()) text += "property int fragment\n";
     if (!sheet.quality.empty()) text += "property double quality\n";
-    if (!sheet.texture.empty()) text += "property list uchar float texcoord\n";
-    if (!sheet.axis.empty())
-        text += "property double axis_x\nproperty double axis_y\nproperty double axis_z\n";
-    return text + "end_header\n";
+    if (!sheet.look.texture.empty()) text += "property list uchar float texcoord\n";
+    return text + number_properties<Face>(sheet) + "end_header\n";
 }
 
 void append_texture(std::string& bytes, const FaceTexture& texture) {
@@ -60,17 +89,17 @@ std::string ply_bytes(const TriangleSheet& sheet) {
     };
     for (std::size_t i = 0; i < sheet.points.size(); ++i) {
         for (const double coordinate : sheet.points[i]) append_little_endian(bytes, coordinate);
-        if (!sheet.point_colour.empty()) append_colour(sheet.point_colour[i]);
+        if (!sheet.look.vertex_colour.empty()) append_colour(sheet.look.vertex_colour[i]);
+        append_numbers<Vertex>(bytes, sheet, i);
     }
     for (std::size_t t = 0; t < sheet.triangles.size(); ++t) {
         append_little_endian(bytes, std::uint8_t{3});
         for (const std::int32_t point : sheet.triangles[t]) append_little_endian(bytes, point);
-        if (!sheet.colour.empty()) append_colour(sheet.colour[t]);
+        if (!sheet.look.face_colour.empty()) append_colour(sheet.look.face_colour[t]);
         if (!sheet.group.empty()) append_little_endian(bytes, sheet.group[t]);
         if (!sheet.quality.empty()) append_little_endian(bytes, sheet.quality[t]);
-        if (!sheet.texture.empty()) append_texture(bytes, sheet.texture[t]);
-        if (sheet.axis.empty()) continue;
-        for (const double coordinate : sheet.axis[t]) append_little_endian(bytes, coordinate);
+        if (!sheet.look.texture.empty()) append_texture(bytes, sheet.look.texture[t]);
+        append_numbers<Face>(bytes, sheet, t);
     }
     return bytes;
 }
@@ -88,14 +117,16 @@ void check(const TriangleSheet& sheet, const std::string& file) {
     const auto require = [&](bool holds, const char* what) {
         if (!holds) throw Error(file + ": cannot write the mesh: " + what, Fault::run);
     };
-    const std::size_t count = sheet.triangles.size();
-    const auto fits = [&](const auto& values) { return values.empty() || values.size() == count; };
-    require(fits(sheet.group) && fits(sheet.texture) && fits(sheet.quality) && fits(sheet.named_groups) &&
-                fits(sheet.axis) && fits(sheet.colour) && fits(sheet.material) && fits(sheet.normal) &&
-                fits(sheet.shading),
-            "group, texture, normal, quality, axis, material, shading and colour need one value a triangle");
-    require(sheet.point_colour.empty() || sheet.point_colour.size() == sheet.points.size(),
-            "colours of points need one value a point");
+    const auto fits = [&]<class Element = Face>(const auto& values) {
+        return values.empty() || values.size() == number_of<Element>(sheet);
+    };
+    require(fits(sheet.group) && fits(sheet.quality) && fits(sheet.normal) && fits(sheet.shading),
+            "group, normal, quality and shading need one value a triangle");
+    visit_surface_attributes(
+        [&]<class Element, class Value, Inherits rule>(const Attribute<Element, Value, rule>& attribute) {
+            require(fits.template operator()<Element>(sheet.look.*attribute.list),
+                    "each attribute needs one value a point, or a triangle");
+        });
     for (const auto& triangle : sheet.triangles) {
         for (const std::int32_t point : triangle) {
             require(point >= 0 && static_cast<std::size_t>(point) < sheet.points.size(),
@@ -154,23 +185,12 @@ TriangleSheet triangle_sheet(const Mesh& mesh) {
         const Point& p = mesh.point(v);
         sheet.points.emplace_back(p.x(), p.y(), p.z());
     }
-    const auto [texture, has_texture] = find_property<Face, FaceTexture>(mesh, property::texture);
-    const auto [groups, has_groups] = find_property<Face, GroupNames>(mesh, property::groups);
-    const auto [axis, has_axis] = find_property<Face, Eigen::Vector3d>(mesh, property::axis);
-    const auto [material, has_material] = find_property<Face, FaceMaterial>(mesh, property::surface_material);
-    const auto [colour, has_colour] = find_property<Face, Colour>(mesh, property::face_colour);
     for (const Face face : mesh.faces()) {
         auto& triangle = sheet.triangles.emplace_back();
         auto corner = triangle.begin();
         for (const Vertex v : mesh.vertices_around_face(mesh.halfedge(face))) *corner++ = number[v.idx()];
-        if (has_texture) sheet.texture.push_back(texture[face]);
-        if (has_groups) sheet.named_groups.push_back(groups[face]);
-        if (has_axis) sheet.axis.push_back(axis[face]);
-        if (has_material) sheet.material.push_back(material[face]);
-        if (has_colour) sheet.colour.push_back(colour[face]);
     }
-    if (const auto [at_point, exists] = find_property<Vertex, Colour>(mesh, property::vertex_colour); exists)
-        for (const Vertex v : mesh.vertices()) sheet.point_colour.push_back(at_point[v]);
+    sheet.look = surface_look(mesh, number, sheet.points.size());
     return sheet;
 }
 
@@ -181,20 +201,17 @@ void add_group(TriangleSheet& all, const TriangleSheet& mesh, const std::string&
     for (const auto& [a, b, c] : mesh.triangles) all.triangles.push_back({first + a, first + b, first + c});
     all.group.resize(before + count, static_cast<std::int32_t>(all.group_names.size()));
     all.group_names.push_back(name);
-    const Eigen::Vector2d zero = Eigen::Vector2d::Zero();
     const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
-    append_values(all.texture, mesh.texture, before, count, FaceTexture{zero, zero, zero});
-    append_values(all.material, mesh.material, before, count, FaceMaterial());
     append_values(all.normal, mesh.normal, before, count, {up, up, up});
     all.shading.clear();
-    append_values(all.colour, mesh.colour, before, count, white);
-    append_values(all.point_colour, mesh.point_colour, all.points.size() - mesh.points.size(),
-                  mesh.points.size(), white);
-    if (!mesh.named_groups.empty() || !all.named_groups.empty()) {
-        all.named_groups.resize(before + count);
-        for (std::size_t i = 0; i < mesh.named_groups.size(); ++i)
-            all.named_groups[before + i] = one_word_names(mesh.named_groups[i]);
-    }
+    visit_surface_attributes(
+        [&]<class Element, class Value, Inherits rule>(const Attribute<Element, Value, rule>& attribute) {
+            const std::size_t added = number_of<Element>(mesh);
+            append_values(all.look.*attribute.list, mesh.look.*attribute.list,
+                          number_of<Element>(all) - added, added, missing<Value>());
+        });
+    for (std::size_t t = 0; t < mesh.look.groups.size(); ++t)
+        all.look.groups[before + t] = one_word_names(mesh.look.groups[t]);
 }
 
 bool can_write_mesh(const fs::path& file) {
@@ -214,12 +231,12 @@ std::string mesh_bytes(const TriangleSheet& sheet, const fs::path& file) {
 }
 
 bool has_material_file(const TriangleSheet& sheet, const fs::path& file) {
-    return !sheet.material.empty() && lower_extension(file) == ".obj";
+    return !sheet.look.material.empty() && lower_extension(file) == ".obj";
 }
 
 void write_mesh(const TriangleSheet& sheet, const fs::path& file) {
     if (has_material_file(sheet, file))
-        replace_file(material_file(file), material_text(sheet.material, file));
+        replace_file(material_file(file), material_text(sheet.look.material, file));
     replace_file(file, mesh_bytes(sheet, file));
 }
 

@@ -6,10 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "meshops/face_groups.h"
-#include "meshops/mesh.h"
-#include "meshops/surface_colour.h"
-#include "meshops/surface_material.h"
+#include "meshops/attributes.h"
 
 namespace sherd {
 
@@ -23,23 +20,23 @@ struct TriangleSheet {
     std::vector<std::array<std::int32_t, 3>> triangles;
     std::vector<std::int32_t> group;       ///< number of each triangle's group; empty: one group
     std::vector<std::string> group_names;  ///< name of each group
-    std::vector<GroupNames>
-        named_groups;  ///< names of each triangle's groups, from the file read (OBJ); empty: none
-    std::vector<Eigen::Vector3d> axis;   ///< first material axis of each triangle (PLY); empty: none
-    std::vector<FaceTexture> texture;    ///< texture coordinates of each triangle; empty: none
-    std::vector<FaceMaterial> material;  ///< material of each triangle (OBJ); empty: none
-    std::vector<double> quality;         ///< a scalar for each triangle (PLY); empty: none
-    std::vector<Shading> shading;        ///< shading of each triangle; empty: all smooth
+    SurfaceLook look;                      ///< of points and triangles
+    std::vector<double> quality;           ///< a scalar for each triangle (PLY); empty: none
+    std::vector<Shading> shading;          ///< shading of each triangle; empty: all smooth
     std::vector<std::array<Eigen::Vector3d, 3>> normal;  ///< normals at triangle corners (OBJ); empty: none
-    std::vector<Colour> colour;                          ///< colour of each triangle (PLY); empty: none
-    std::vector<Colour> point_colour;                    ///< colour of each point (PLY); empty: none
 };
 
 TriangleSheet triangle_sheet(const Mesh& mesh);
 
+/// Number of points (Vertex) or triangles (Face).
+template <class Element>
+std::size_t number_of(const TriangleSheet& sheet) {
+    return std::same_as<Element, Vertex> ? sheet.points.size() : sheet.triangles.size();
+}
+
 /// Appends a mesh to others, which have groups, as a group of its own. The mesh's own numbered groups and the
-/// shading of all meshes are dropped; texture coordinates, normals, colours, materials and named groups come
-/// from all meshes that have some. Spaces in names of groups become underscores: in OBJ a name of several
+/// shading of all meshes are dropped; normals and what files gave (SurfaceLook) come from all meshes that
+/// have some. Spaces in names of groups become underscores: in OBJ a name of several
 /// words belongs to an object.
 void add_group(TriangleSheet& all, const TriangleSheet& mesh, const std::string& name);
 

@@ -60,18 +60,18 @@ void give_material(std::vector<BrokenSide>& sides, std::size_t points, TriangleS
     const FaceMaterial inside =
         std::make_shared<const SurfaceMaterial>(SurfaceMaterial{"inside", "Kd 0.8 0.8 0.8\n"});
     const Eigen::Vector2d zero = Eigen::Vector2d::Zero();
-    body.material.resize(body.triangles.size());
-    if (body.texture.empty()) body.texture.assign(body.triangles.size(), {zero, zero, zero});
+    body.look.material.resize(body.triangles.size());
+    if (body.look.texture.empty()) body.look.texture.assign(body.triangles.size(), {zero, zero, zero});
     set_starts(sides);
     const auto count = static_cast<std::int32_t>(points);
     for (const BrokenSide& side : sides)
         for (const std::size_t t : {side.triangle, side.triangle + 1}) {
-            body.material[t] = inside;
+            body.look.material[t] = inside;
             for (int k = 0; k < 3; ++k) {
                 const std::int32_t point = body.triangles[t][k];
                 const bool is_end = point % count == side.to;
-                body.texture[t][k] = {side.start + (is_end ? side.length : 0),
-                                      point < count ? side.thickness : 0};
+                body.look.texture[t][k] = {side.start + (is_end ? side.length : 0),
+                                           point < count ? side.thickness : 0};
             }
         }
 }

@@ -57,8 +57,8 @@ struct CachePlan {
     void add(const PointTrack& track, const std::string& suffix, bool moves) {
         const std::filesystem::path mesh = source.clip_file(suffix + ".obj");
         if (has_material_file(track.mesh, mesh))
-            jobs.push_back(
-                {material_file(mesh), [track, mesh] { return material_text(track.mesh.material, mesh); }});
+            jobs.push_back({material_file(mesh),
+                            [track, mesh] { return material_text(track.mesh.look.material, mesh); }});
         jobs.push_back({mesh, [track, mesh] { return mesh_of(track, mesh); }});
         if (!moves) return;
         jobs.push_back(
@@ -70,9 +70,9 @@ struct CachePlan {
 PointTrack sheet_track(const std::shared_ptr<Clip>& clip, const std::vector<double>& times) {
     TriangleSheet mesh;
     mesh.triangles = clip->topology().triangles;
-    mesh.texture = clip->topology().texture;
-    mesh.material = clip->topology().material;
-    mesh.named_groups = clip->topology().named_groups;
+    mesh.look.texture = clip->topology().look.texture;
+    mesh.look.material = clip->topology().look.material;
+    mesh.look.groups = clip->topology().look.groups;
     return {mesh, times, [clip](std::size_t i) { return clip->points(i); }};
 }
 

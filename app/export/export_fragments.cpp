@@ -88,8 +88,8 @@ std::vector<ExportJob> plan_fragments(ExportSource& source) {
                 return body;
             };
             if (source.has_materials())
-                jobs.push_back(
-                    {material_file(file), [body, file] { return material_text(body().material, file); }});
+                jobs.push_back({material_file(file),
+                                [body, file] { return material_text(body().look.material, file); }});
             jobs.push_back({file, [body, file] { return mesh_bytes(body(), file); }});
         }
         add_obstacle_files(source, number, ".obj", mesh_bytes, jobs);

@@ -21,10 +21,10 @@ namespace {
 
 /// Colours of split points: those of vertices, or else of faces.
 std::vector<Colour> colours(const TriangleSheet& sheet, const SplitPoints& split) {
-    if (!sheet.point_colour.empty()) return gathered(sheet.point_colour, split.points);
+    if (!sheet.look.vertex_colour.empty()) return gathered(sheet.look.vertex_colour, split.points);
     std::vector<Colour> colours;
-    if (sheet.colour.empty()) return colours;
-    for (const auto& [triangle, corner] : split.corners) colours.push_back(sheet.colour[triangle]);
+    if (sheet.look.face_colour.empty()) return colours;
+    for (const auto& [triangle, corner] : split.corners) colours.push_back(sheet.look.face_colour[triangle]);
     return colours;
 }
 
@@ -107,8 +107,9 @@ void Animation::add_nodes(GlbScene& scene) {
         parts.push_back(group_part(topology, static_cast<Index>(i)));
         split.push_back(split_points(parts.back()));
         node.triangles = split.back().triangles;
-        node.material = parts.back().material;
-        if (!parts.back().texture.empty()) node.texture = at_points(split.back(), parts.back().texture);
+        node.material = parts.back().look.material;
+        if (!parts.back().look.texture.empty())
+            node.texture = at_points(split.back(), parts.back().look.texture);
         node.colour = colours(parts.back(), split.back());
         scene.nodes.push_back(node);
     }

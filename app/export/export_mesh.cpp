@@ -61,7 +61,7 @@ std::vector<ExportJob> plan_obj(ExportSource& source) {
         // The file of materials comes first: a program that waits for the .obj finds both.
         if (source.has_materials())
             jobs.push_back({material_file(file), [&source, number, file] {
-                                return material_text(obj_sheet(source, number).material, file);
+                                return material_text(obj_sheet(source, number).look.material, file);
                             }});
         jobs.push_back(
             {file, [&source, number, file] { return mesh_bytes(obj_sheet(source, number), file); }});

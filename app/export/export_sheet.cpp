@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "app/recording/fields.h"
+#include "meshops/face_groups.h"
+#include "meshops/shared_values.h"
 
 namespace sherd {
 namespace {
@@ -39,22 +41,21 @@ std::vector<double> face_speed(const Snapshot& frame) {
     return result;
 }
 
-void add_look(const Snapshot& frame, TriangleSheet& sheet) {
-    const SurfaceLook& look = frame.rest.look;
-    for (const auto& uv : look.texture.colwise())
-        sheet.texture.push_back({uv.segment<2>(0), uv.segment<2>(2), uv.segment<2>(4)});
-    std::vector<FaceMaterial> materials;
-    for (const SurfaceMaterial& material : look.materials)
-        materials.push_back(std::make_shared<const SurfaceMaterial>(material));
-    for (const Index material : look.material)
-        sheet.material.push_back(material < 0 ? nullptr : materials[material]);
-    std::vector<GroupNames> groups;
-    for (const std::vector<std::string>& names : look.groups)
-        groups.push_back(one_word_names(std::make_shared<const std::vector<std::string>>(names)));
-    for (const Index group : look.group) sheet.named_groups.push_back(group < 0 ? nullptr : groups[group]);
-    sheet.colour = look.face_colour;
-    if (look.vertex_colour.empty()) return;
-    for (const Index vertex : frame.original) sheet.point_colour.push_back(look.vertex_colour[vertex]);
+/// The look of a frame's own vertices and faces, with names of groups of one word.
+SurfaceLook look_of(const Snapshot& frame) {
+    SurfaceLook look = frame.rest.look;
+    visit_surface_attributes(
+        [&]<class Element, class Value, Inherits rule>(const Attribute<Element, Value, rule>& attribute) {
+            const std::vector<Value>& at_rest = frame.rest.look.*attribute.list;
+            if constexpr (std::same_as<Element, Vertex>)
+                if (!at_rest.empty())
+                    look.*attribute.list = gathered(at_rest, {frame.original.begin(), frame.original.end()});
+        });
+    SharedValues<std::vector<std::string>> groups = shared_values(look.groups);
+    for (std::vector<std::string>& names : groups.rows)
+        names = *one_word_names(std::make_shared<const std::vector<std::string>>(names));
+    look.groups = listed(groups);
+    return look;
 }
 
 }  // namespace
@@ -72,7 +73,7 @@ TriangleSheet frame_sheet(const Snapshot& frame) {
     for (Eigen::Index v = 0; v < frame.position.cols(); ++v) sheet.points.push_back(frame.position.col(v));
     sheet.triangles = frame.faces;
     sheet.group = frame.face_fragment;
-    add_look(frame, sheet);
+    sheet.look = look_of(frame);
     for (std::size_t i = 0; i < fragment_count(frame); ++i) sheet.group_names.push_back(fragment_name(i));
     return sheet;
 }
@@ -92,27 +93,30 @@ TriangleSheet group_part(const TriangleSheet& sheet, std::int32_t group) {
     TriangleSheet part;
     part.group_names = sheet.group_names;
     std::vector<std::int32_t> number(sheet.points.size(), -1);
-    for (const std::size_t i : group_points(sheet, group)) {
+    const std::vector<std::size_t> points = group_points(sheet, group);
+    for (const std::size_t i : points) {
         number[i] = static_cast<std::int32_t>(part.points.size());
         part.points.push_back(sheet.points[i]);
-        if (!sheet.point_colour.empty()) part.point_colour.push_back(sheet.point_colour[i]);
     }
+    std::vector<std::size_t> triangles;
     for (std::size_t t = 0; t < sheet.triangles.size(); ++t) {
         if (sheet.group[t] != group) continue;
         const auto& [a, b, c] = sheet.triangles[t];
         part.triangles.push_back({number[a], number[b], number[c]});
-        part.group.push_back(group);
-        const auto keep = [t](const auto& values, auto& kept) {
-            if (!values.empty()) kept.push_back(values[t]);
-        };
-        keep(sheet.quality, part.quality);
-        keep(sheet.texture, part.texture);
-        keep(sheet.material, part.material);
-        keep(sheet.shading, part.shading);
-        keep(sheet.normal, part.normal);
-        keep(sheet.colour, part.colour);
-        keep(sheet.named_groups, part.named_groups);
+        triangles.push_back(t);
     }
+    part.group.assign(triangles.size(), group);
+    const auto keep = [](const auto& values, const std::vector<std::size_t>& chosen, auto& kept) {
+        if (!values.empty()) kept = gathered(values, chosen);
+    };
+    keep(sheet.quality, triangles, part.quality);
+    keep(sheet.shading, triangles, part.shading);
+    keep(sheet.normal, triangles, part.normal);
+    visit_surface_attributes(
+        [&]<class Element, class Value, Inherits rule>(const Attribute<Element, Value, rule>& attribute) {
+            keep(sheet.look.*attribute.list, std::same_as<Element, Vertex> ? points : triangles,
+                 part.look.*attribute.list);
+        });
     return part;
 }
 

@@ -29,7 +29,7 @@ ExportSource::ExportSource(const ExportOptions& options_, const std::string& ext
     chosen = selected_frames(wanted, recording.frame_count());
     const RecordingHeader header = recording.header();
     with_materials =
-        !header.rest_look.material.empty() || (options.solid && header.rest_look.texture.cols() > 0);
+        !header.rest_look.material.empty() || (options.solid && !header.rest_look.texture.empty());
     if (!options.sheets_only) solids = export_obstacles(recording, chosen);
     fs::path output = options.output;
     if (output.empty()) output = fs::path(options.recording).replace_extension(extension);

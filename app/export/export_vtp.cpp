@@ -15,6 +15,7 @@
 #include "app/export/split_points.h"
 #include "app/files/base64.h"
 #include "app/files/xml_text.h"
+#include "meshops/shared_values.h"
 
 namespace sherd {
 
@@ -68,8 +69,55 @@ Positions chosen_columns(const Positions& values, const std::vector<std::size_t>
     return result;
 }
 
-std::string colour_array(const std::vector<Colour>& colours) {
-    return colours.empty() ? "" : array("UInt8", "colour", 4, colours[0].data(), 4 * colours.size());
+/// Array of values: numbers, or the row of each shared value.
+template <class Value>
+std::string value_array(const char* name, const std::vector<Value>& values) {
+    if constexpr (std::same_as<Value, Colour>)
+        return array("UInt8", name, 4, values[0].data(), 4 * values.size());
+    else if constexpr (std::same_as<Value, double>)
+        return array("Float64", name, 1, values.data(), values.size());
+    else
+        return array("Float64", name, Value::RowsAtCompileTime, values[0].data(),
+                     Value::RowsAtCompileTime * values.size());
+}
+
+template <class T>
+std::string value_array(const char* name, const std::vector<std::shared_ptr<const T>>& values) {
+    const std::vector<Index> rows = shared_values(values).number;
+    return array("Int32", name, 1, rows.data(), rows.size());
+}
+
+/// Calls visit(attribute, list) for each list of a look that a VTP file has.
+template <class Visit>
+void visit_arrays(const SurfaceLook& look, const Visit& visit) {
+    visit_surface_attributes([&](const auto& attribute) {
+        if (const auto& list = look.*attribute.list; *attribute.vtp != 0 && !list.empty())
+            visit(attribute, list);
+    });
+}
+
+/// Arrays of the look at split points: of vertices, and of texture coordinates.
+std::string look_arrays(const SurfaceLook& look, const SplitPoints& split) {
+    std::string text;
+    visit_arrays(look, [&]<class Element, class Value, Inherits rule>(
+                           const Attribute<Element, Value, rule>& attribute, const std::vector<Value>& list) {
+        if constexpr (std::same_as<Value, FaceTexture>)
+            text += value_array(attribute.vtp, at_points(split, list));
+        else if constexpr (std::same_as<Element, Vertex>)
+            text += value_array(attribute.vtp, gathered(list, split.points));
+    });
+    return text;
+}
+
+/// Arrays of the look of faces.
+std::string look_arrays(const SurfaceLook& look) {
+    std::string text;
+    visit_arrays(look, [&]<class Element, class Value, Inherits rule>(
+                           const Attribute<Element, Value, rule>& attribute, const std::vector<Value>& list) {
+        if constexpr (std::same_as<Element, Face> && !std::same_as<Value, FaceTexture>)
+            text += value_array(attribute.vtp, list);
+    });
+    return text;
 }
 
 /// Arrays of the vertices at split points. sheet: of the frame.
@@ -77,16 +125,11 @@ std::string vertex_arrays(const Snapshot& frame, const TriangleSheet& sheet, con
     const Positions velocity = chosen_columns(frame.velocity, split.points);
     const VectorXd speed = velocity.colwise().norm();
     const std::size_t points = split.points.size();
-    const std::vector<Eigen::Vector2d> texture =
-        sheet.texture.empty() ? std::vector<Eigen::Vector2d>() : at_points(split, sheet.texture);
-    const std::vector<Colour> colours =
-        sheet.point_colour.empty() ? sheet.point_colour : gathered(sheet.point_colour, split.points);
-    return fmt::format("<PointData Scalars=\"speed\"{}>\n", texture.empty() ? "" : " TCoords=\"texture\"") +
+    return fmt::format("<PointData Scalars=\"speed\"{}>\n",
+                       sheet.look.texture.empty() ? "" : " TCoords=\"texture\"") +
            array("Float64", "speed", 1, speed.data(), points) +
-           array("Float64", "velocity", 3, velocity.data(), 3 * points) +
-           (texture.empty() ? "" : array("Float64", "texture", 2, texture[0].data(), 2 * points)) +
-           colour_array(colours) + "</PointData>\n" +
-           point_array(chosen_columns(frame.position, split.points).data(), points);
+           array("Float64", "velocity", 3, velocity.data(), 3 * points) + look_arrays(sheet.look, split) +
+           "</PointData>\n" + point_array(chosen_columns(frame.position, split.points).data(), points);
 }
 
 /// Array of texts.
@@ -101,15 +144,23 @@ std::string text_array(const char* name, const std::vector<std::string>& texts) 
         name, texts.size(), letters);
 }
 
-/// Lists of the names to which the face arrays `material` and `group` refer.
+std::string name_of(const SurfaceMaterial& material) {
+    return material.name;
+}
+std::string name_of(const std::vector<std::string>& groups) {
+    return fmt::format("{}", fmt::join(groups, ", "));
+}
+
+/// Lists of the names to which arrays of rows refer.
 std::string name_lists(const SurfaceLook& look) {
     std::string lists;
-    std::vector<std::string> materials, groups;
-    for (const SurfaceMaterial& material : look.materials) materials.push_back(material.name);
-    for (const std::vector<std::string>& names : look.groups)
-        groups.push_back(fmt::format("{}", fmt::join(names, ", ")));
-    if (!look.material.empty()) lists += text_array("material_names", materials);
-    if (!look.group.empty()) lists += text_array("group_names", groups);
+    visit_arrays(look, [&](const auto& attribute, const auto& list) {
+        if constexpr (requires { shared_values(list); }) {
+            std::vector<std::string> names;
+            for (const auto& row : shared_values(list).rows) names.push_back(name_of(row));
+            lists += text_array((attribute.vtp + std::string("_names")).c_str(), names);
+        }
+    });
     return lists.empty() ? "" : "<FieldData>\n" + lists + "</FieldData>\n";
 }
 
@@ -126,19 +177,13 @@ std::string field_arrays(const FaceFields& fields) {
     return text;
 }
 
-std::string row_array(const char* name, const std::vector<Index>& rows) {
-    return rows.empty() ? "" : array("Int32", name, 1, rows.data(), rows.size());
-}
-
 std::string face_arrays(const Snapshot& frame) {
     const std::size_t faces = frame.faces.size();
     return "<CellData Scalars=\"fragment\">\n" +
            array("Int32", "fragment", 1, frame.face_fragment.data(), faces) +
            array("Int32", "sheet", 1, frame.face_sheet.data(), faces) +
            array("Float64", "strain", 1, face_quality(frame, "strain").data(), faces) +
-           field_arrays(frame.fields) + row_array("material", frame.rest.look.material) +
-           row_array("group", frame.rest.look.group) + colour_array(frame.rest.look.face_colour) +
-           "</CellData>\n";
+           field_arrays(frame.fields) + look_arrays(frame.rest.look) + "</CellData>\n";
 }
 
 std::string triangles(const std::vector<std::array<Index, 3>>& faces) {
@@ -192,7 +237,7 @@ std::string index_of(const ExportSource& source) {
 
 std::string vtp_bytes(const Snapshot& frame) {
     TriangleSheet sheet = frame_sheet(frame);
-    sheet.colour.clear();  // colours are face arrays, so that no point is split for them
+    sheet.look.face_colour.clear();  // colours are face arrays, so that no point is split for them
     const SplitPoints split = split_points(sheet);
     return vtp_text(split.points.size(), split.triangles,
                     vertex_arrays(frame, sheet, split) + face_arrays(frame), name_lists(frame.rest.look));

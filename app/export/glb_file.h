@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/vector.h"
-#include "meshops/surface_colour.h"
+#include "meshops/attributes.h"
 #include "meshops/surface_material.h"
 
 namespace sherd {

@@ -13,10 +13,12 @@ namespace {
 using Look = std::tuple<std::int32_t, double, double, Colour, std::size_t>;
 
 Look look_of(const TriangleSheet& sheet, std::size_t t, int corner) {
-    const Eigen::Vector2d uv = sheet.texture.empty() ? Eigen::Vector2d::Zero() : sheet.texture[t][corner];
+    const Eigen::Vector2d uv =
+        sheet.look.texture.empty() ? Eigen::Vector2d::Zero() : sheet.look.texture[t][corner];
     // Pairs of triangles at the end are the edges of a solid.
     const bool is_side = sheet.shading.empty() || sheet.shading[t] == Shading::smooth;
-    return {sheet.triangles[t][corner], uv.x(), uv.y(), sheet.colour.empty() ? white : sheet.colour[t],
+    return {sheet.triangles[t][corner], uv.x(), uv.y(),
+            sheet.look.face_colour.empty() ? white : sheet.look.face_colour[t],
             is_side ? std::numeric_limits<std::size_t>::max() : (sheet.triangles.size() - t - 1) / 2};
 }
 

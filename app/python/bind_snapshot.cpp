@@ -2,6 +2,7 @@
 #include "app/python/arrays.h"
 #include "app/python/bindings.h"
 #include "fracture/snapshot.h"
+#include "meshops/shared_values.h"
 
 namespace sherd::python {
 namespace {
@@ -29,6 +30,20 @@ auto view_of(Array RestMesh::*member) {
 template <class Array>
 auto view_of(Array FaceFields::*member) {
     return view_of([member](const Snapshot& one) -> const Array& { return one.fields.*member; });
+}
+
+/// Arrays of what files gave the meshes, by their names in recordings; shared values as their rows.
+py::dict look_of(const Snapshot& frame) {
+    py::dict arrays;
+    visit_surface_attributes([&](const auto& attribute) {
+        const auto& list = frame.rest.look.*attribute.list;
+        if (list.empty()) return;
+        if constexpr (requires { shared_values(list); })
+            arrays[attribute.recorded] = array_of(shared_values(list).number);
+        else
+            arrays[attribute.recorded] = array_of(list);
+    });
+    return arrays;
 }
 
 }  // namespace
@@ -79,7 +94,11 @@ void bind_snapshot(py::module_& module) {
         .def_property_readonly("stress_top", view_of(&FaceFields::stress_top),
                                "[F, 3] Pa, at the side of the normal: 00, 11, 01; None: not asked for")
         .def_property_readonly("stress_bottom", view_of(&FaceFields::stress_bottom),
-                               "[F, 3] Pa, at the other side; None: not asked for");
+                               "[F, 3] Pa, at the other side; None: not asked for")
+        .def_property_readonly(
+            "look", look_of,
+            "What files gave the meshes, such as \"vertex_colour\" [R, 4]: arrays by their\n"
+            "names in recordings. Materials and groups are rows, numbered from 0, -1: none.");
 }
 
 }  // namespace sherd::python

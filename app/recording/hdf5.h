@@ -51,15 +51,15 @@ struct Element<T> {
     using Scalar = std::underlying_type_t<T>;
     static constexpr hsize_t width = 1;
 };
-template <class T, std::size_t N>
-struct Element<std::array<T, N>> {
+template <class T, int N>
+struct Element<Eigen::Matrix<T, N, 1>> {
     using Scalar = T;
     static constexpr hsize_t width = N;
 };
-template <>
-struct Element<Vector3d> {
-    using Scalar = double;
-    static constexpr hsize_t width = 3;
+template <class T, std::size_t N>
+struct Element<std::array<T, N>> {
+    using Scalar = typename Element<T>::Scalar;
+    static constexpr hsize_t width = N * Element<T>::width;
 };
 
 template <class Scalar>

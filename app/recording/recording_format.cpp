@@ -48,31 +48,18 @@ std::string outside(const char* name, const Numbers& numbers, std::size_t end, c
     return any_outside(numbers, end) ? fmt::format("{} names a {} that does not exist", name, what) : "";
 }
 
-std::size_t rows_of(const CornerTexture& texture) {
-    return static_cast<std::size_t>(texture.cols());
-}
-template <class T>
-std::size_t rows_of(const std::vector<T>& values) {
-    return values.size();
-}
-
 /// Returns the first fault of a look, or "". faces, vertices: their numbers at rest.
 std::string look_fault(const SurfaceLook& look, std::size_t faces, std::size_t vertices) {
     std::string fault;
-    visit_look_arrays(look, [&](const char* name, hdf5::Meaning, const auto& values) {
-        const bool is_of_vertices = static_cast<const void*>(&values) == &look.vertex_colour;
-        const std::size_t count = rows_of(values);
-        if (fault.empty() && count != 0 && count != (is_of_vertices ? vertices : faces))
-            fault = fmt::format("rest/{} and rest/{} differ in length", is_of_vertices ? "position" : "faces",
-                                name);
-    });
-    if (!fault.empty()) return fault;
-    const auto fits = [](const std::vector<Index>& rows, std::size_t count) {
-        return std::ranges::all_of(rows, [&](Index i) { return i >= -1 && i < static_cast<Index>(count); });
-    };
-    if (!fits(look.material, look.materials.size()))
-        return "rest/surface_material names a material that does not exist";
-    return fits(look.group, look.groups.size()) ? "" : "rest/group names a group that does not exist";
+    visit_recorded_attributes(
+        [&]<class Element, class Value, Inherits rule>(const Attribute<Element, Value, rule>& attribute) {
+            const bool is_of_vertices = std::same_as<Element, Vertex>;
+            const std::size_t count = (look.*attribute.list).size();
+            if (fault.empty() && count != 0 && count != (is_of_vertices ? vertices : faces))
+                fault = fmt::format("rest/{} and rest/{} differ in length",
+                                    is_of_vertices ? "position" : "faces", attribute.recorded);
+        });
+    return fault;
 }
 
 std::string length_fault(const Snapshot& s) {

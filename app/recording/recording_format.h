@@ -68,23 +68,22 @@ inline constexpr const char* mixed_faces = "face_mixed";
 /// Name of RecordingHeader::rest_axis in the group of the unfractured mesh; absent if empty.
 inline constexpr const char* material_axis = "axis";
 
-/// Calls visit(name, meaning, array) for each array of SurfaceLook, in the group of a mesh at rest. Empty
-/// arrays are not stored.
-template <class Look, class Visit>
-void visit_look_arrays(Look& look, Visit visit) {
-    visit("texture", hdf5::Meaning{"1", "texture coordinates u0 v0 u1 v1 u2 v2 of the corners"},
-          look.texture);
-    visit("surface_material", hdf5::Meaning{"1", "row of surface_material_names; -1: none"}, look.material);
-    visit("group", hdf5::Meaning{"1", "row of group_names; -1: none"}, look.group);
-    visit("face_colour", hdf5::Meaning{"1", "red, green, blue, opacity"}, look.face_colour);
-    visit("vertex_colour", hdf5::Meaning{"1", "red, green, blue, opacity"}, look.vertex_colour);
+/// Calls visit(attribute) for each attribute of SurfaceLook that is recorded, as a dataset in the group of a
+/// mesh at rest; empty lists are not stored. A list of shared values is stored as the row of each, and beside
+/// it their names, and definitions, as texts of several lines.
+template <class Visit>
+void visit_recorded_attributes(const Visit& visit) {
+    visit_surface_attributes([&](const auto& attribute) {
+        if (*attribute.recorded != 0) visit(attribute);
+    });
 }
 
-/// Names of the lists of SurfaceLook::materials (names and definitions) and SurfaceLook::groups, whose
-/// entries are texts of several lines; absent if empty.
-inline constexpr const char *material_names = "surface_material_names",
-                            *material_definitions = "surface_material_definitions",
-                            *group_names = "group_names";
+inline std::string names_of(const std::string& attribute) {
+    return attribute + "_names";
+}
+inline std::string definitions_of(const std::string& attribute) {
+    return attribute + "_definitions";
+}
 
 /// Name of Snapshot::edge_held, in frames in which an edge opens gradually.
 inline constexpr const char* held_edges = "edge/held";

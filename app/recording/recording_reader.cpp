@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <new>
 #include <sstream>
 #include <stdexcept>
@@ -9,6 +10,7 @@
 #include "app/recording/hdf5_file.h"
 #include "app/recording/recording.h"
 #include "app/recording/recording_table.h"
+#include "meshops/shared_values.h"
 
 namespace sherd {
 
@@ -48,22 +50,37 @@ std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
+void read_rows(hid_t where, const std::string& name, std::vector<std::vector<std::string>>& rows) {
+    for (const std::string& names : hdf5::read_texts(where, names_of(name))) rows.push_back(lines_of(names));
+}
+
+void read_rows(hid_t where, const std::string& name, std::vector<SurfaceMaterial>& rows) {
+    const std::string name_list = names_of(name), definition_list = definitions_of(name);
+    const std::vector<std::string> names = hdf5::read_texts(where, name_list),
+                                   definitions = hdf5::read_texts(where, definition_list);
+    if (names.size() != definitions.size())
+        throw Error(fmt::format("{} and {} differ in length", name_list, definition_list));
+    for (std::size_t i = 0; i < names.size(); ++i) rows.push_back({names[i], definitions[i]});
+}
+
+/// Reads shared values; throws Error if a row does not exist.
+template <class T>
+void read_array(hid_t where, const std::string& name, std::vector<std::shared_ptr<const T>>& values) {
+    SharedValues<T> shared{.rows = {}, .number = hdf5::read<Index>(where, name)};
+    if (!shared.number.empty()) read_rows(where, name, shared.rows);
+    if (std::ranges::any_of(shared.number, [&](Index row) {
+            return row < -1 || row >= static_cast<Index>(shared.rows.size());
+        }))
+        throw Error(fmt::format("{} names a row that does not exist", name));
+    values = listed(shared);
+}
+
 /// Reads the look in the group `rest` below `where`.
 void read_look(hid_t where, SurfaceLook& look) {
-    const auto in_rest = [](const char* name) { return std::string("rest/") + name; };
-    visit_look_arrays(look, [&](const char* name, hdf5::Meaning, auto& values) {
-        if (hdf5::contains(where, in_rest(name))) read_array(where, in_rest(name), values);
+    visit_recorded_attributes([&](const auto& attribute) {
+        const std::string name = std::string("rest/") + attribute.recorded;
+        if (hdf5::contains(where, name)) read_array(where, name, look.*attribute.list);
     });
-    if (!look.group.empty())
-        for (const std::string& names : hdf5::read_texts(where, in_rest(group_names)))
-            look.groups.push_back(lines_of(names));
-    if (look.material.empty()) return;
-    const std::vector<std::string> names = hdf5::read_texts(where, in_rest(material_names)),
-                                   definitions = hdf5::read_texts(where, in_rest(material_definitions));
-    if (names.size() != definitions.size())
-        throw Error(
-            fmt::format("rest/{} and rest/{} differ in length", material_names, material_definitions));
-    for (std::size_t i = 0; i < names.size(); ++i) look.materials.push_back({names[i], definitions[i]});
 }
 
 void read_unbroken_mesh(hid_t file, RecordingHeader& header) {

@@ -15,6 +15,7 @@
 #include "app/recording/recording_table.h"
 #include "app/words/build_info.h"
 #include "core/elements/membrane.h"
+#include "meshops/shared_values.h"
 
 namespace sherd {
 
@@ -48,21 +49,35 @@ void write_array(hid_t where, const std::string& name, const hdf5::Meaning& mean
     hdf5::write<T>(where, name, values, meaning);
 }
 
-void write_look(hid_t where, const std::string& group, const SurfaceLook& look) {
-    visit_look_arrays(look, [&](const char* name, hdf5::Meaning meaning, const auto& values) {
-        if (values.size() > 0) write_array(where, group + "/" + name, meaning, values);
-    });
-    std::vector<std::string> names, definitions, groups;
-    for (const std::vector<std::string>& group : look.groups)
-        groups.push_back(fmt::format("{}", fmt::join(group, "\n")));
-    if (!look.group.empty()) hdf5::write_texts(where, group + "/" + group_names, groups);
-    if (look.material.empty()) return;
-    for (const SurfaceMaterial& material : look.materials) {
+void write_rows(hid_t where, const std::string& name, const std::vector<std::vector<std::string>>& rows) {
+    std::vector<std::string> names;
+    for (const std::vector<std::string>& row : rows) names.push_back(fmt::format("{}", fmt::join(row, "\n")));
+    hdf5::write_texts(where, names_of(name), names);
+}
+
+void write_rows(hid_t where, const std::string& name, const std::vector<SurfaceMaterial>& rows) {
+    std::vector<std::string> names, definitions;
+    for (const SurfaceMaterial& material : rows) {
         names.push_back(material.name);
         definitions.push_back(material.definition);
     }
-    hdf5::write_texts(where, group + "/" + material_names, names);
-    hdf5::write_texts(where, group + "/" + material_definitions, definitions);
+    hdf5::write_texts(where, names_of(name), names);
+    hdf5::write_texts(where, definitions_of(name), definitions);
+}
+
+template <class T>
+void write_array(hid_t where, const std::string& name, const hdf5::Meaning& meaning,
+                 const std::vector<std::shared_ptr<const T>>& values) {
+    const SharedValues<T> shared = shared_values(values);
+    write_array(where, name, meaning, shared.number);
+    write_rows(where, name, shared.rows);
+}
+
+void write_look(hid_t where, const std::string& group, const SurfaceLook& look) {
+    visit_recorded_attributes([&](const auto& attribute) {
+        if (const auto& values = look.*attribute.list; !values.empty())
+            write_array(where, group + "/" + attribute.recorded, {attribute.unit, attribute.meaning}, values);
+    });
 }
 
 void write_rest(hid_t where, const std::string& group, const RestMesh& rest) {

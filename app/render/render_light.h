@@ -4,7 +4,7 @@
 #include "app/render/camera.h"
 #include "app/render/render_scene.h"
 #include "app/render/render_tracer.h"
-#include "meshops/surface_colour.h"
+#include "meshops/attributes.h"
 
 namespace sherd {
 

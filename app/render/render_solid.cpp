@@ -109,7 +109,7 @@ RenderVertex SolidBuilder::corner(std::size_t f, int k, double side) const {
     RenderVertex corner = vertex(frame.faces[f][k], side);
     if (mesh.striped) corner.stripe = paint.stripe(k, f);
     if (!paint.corner_colour.empty()) corner.colour = paint.corner_colour[f][k];
-    if (paint.texture.cols() > 0) corner.texture = paint.texture.col(f).segment<2>(2 * k).cast<float>();
+    if (!paint.texture.empty()) corner.texture = paint.texture[f][k].cast<float>();
     return corner;
 }
 

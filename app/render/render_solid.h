@@ -16,7 +16,7 @@ struct SheetPaint {
     Eigen::Matrix3Xf stripe = {};         ///< [3, F] RenderVertex::stripe at corners; empty: none
     /// [F] colours at corners, instead of the vertices' colours; empty: none.
     std::vector<std::array<Eigen::Vector3f, 3>> corner_colour = {};
-    CornerTexture texture = {};              ///< [6, F]; empty: none
+    std::vector<FaceTexture> texture = {};   ///< [F]; empty: none
     std::vector<std::int32_t> picture = {};  ///< [F] RenderMesh::picture; empty: none
     std::vector<std::shared_ptr<const Image>> pictures = {};
 };

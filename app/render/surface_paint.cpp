@@ -7,6 +7,7 @@
 
 #include "app/render/render_light.h"
 #include "meshops/error.h"
+#include "meshops/shared_values.h"
 
 namespace sherd {
 
@@ -25,7 +26,7 @@ std::string unread_picture(const SurfaceMaterial& material, const std::exception
 
 SurfacePaint::SurfacePaint(const SurfaceLook& look, std::vector<std::string>& warnings) {
     require_paint(look);
-    for (const SurfaceMaterial& material : look.materials) add(material, warnings);
+    for (const SurfaceMaterial& material : shared_values(look.material).rows) add(material, warnings);
 }
 
 void SurfacePaint::add(const SurfaceMaterial& material, std::vector<std::string>& warnings) {
@@ -40,9 +41,10 @@ void SurfacePaint::add(const SurfaceMaterial& material, std::vector<std::string>
     }
 }
 
-std::vector<const SurfacePaint::Known*> SurfacePaint::known_of(const SurfaceLook& look) const {
+std::vector<const SurfacePaint::Known*> SurfacePaint::known_of(
+    const std::vector<SurfaceMaterial>& materials) const {
     std::vector<const Known*> result;
-    for (const SurfaceMaterial& material : look.materials) {
+    for (const SurfaceMaterial& material : materials) {
         const auto found = std::ranges::find(known, material, &Known::material);
         result.push_back(found == known.end() ? nullptr : &*found);
     }
@@ -52,19 +54,20 @@ std::vector<const SurfacePaint::Known*> SurfacePaint::known_of(const SurfaceLook
 SheetPaint SurfacePaint::paint(const Snapshot& frame, const Vector3f& plain) const {
     const SurfaceLook& look = frame.rest.look;
     const bool is_coloured = look.has_colours();
-    const std::vector<const Known*> materials = known_of(look);
+    const SharedValues<SurfaceMaterial> shared = shared_values(look.material);
+    const std::vector<const Known*> materials = known_of(shared.rows);
     SheetPaint paint;
     paint.colour.assign(frame.position.cols(), plain);
     paint.texture = look.texture;
     paint.pictures = pictures;
     for (std::size_t f = 0; f < frame.faces.size(); ++f) {
-        const Index number = look.material.empty() ? -1 : look.material[f];
+        const Index number = shared.number.empty() ? -1 : shared.number[f];
         const Known* material = number < 0 ? nullptr : materials[number];
         const Vector3f base = material ? material->colour : is_coloured ? Vector3f(Vector3f::Ones()) : plain;
         auto& corners = paint.corner_colour.emplace_back();
         for (int k = 0; k < 3; ++k)
             corners[k] = base.cwiseProduct(linear_colour(look.colour(f, frame.original[frame.faces[f][k]])));
-        paint.picture.push_back(material && look.texture.cols() > 0 ? material->picture : -1);
+        paint.picture.push_back(material && !look.texture.empty() ? material->picture : -1);
     }
     return paint;
 }

@@ -37,7 +37,7 @@ class SurfacePaint {
         std::int32_t picture;  ///< index of its picture; -1: none
     };
     void add(const SurfaceMaterial& material, std::vector<std::string>& warnings);
-    std::vector<const Known*> known_of(const SurfaceLook& look) const;
+    std::vector<const Known*> known_of(const std::vector<SurfaceMaterial>& materials) const;
 
     std::vector<Known> known;
     std::vector<std::shared_ptr<const Image>> pictures;

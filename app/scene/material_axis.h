@@ -27,7 +27,7 @@ struct AxisDirection {
     double degrees = 0;
 };
 
-/// The property property::axis of the mesh file, projected to the surface.
+/// The property attribute::axis of the mesh file, projected to the surface.
 struct AxisField {};
 
 /// Source of a sheet's first material axis. Directions are those of the mesh before it is placed.

@@ -8,13 +8,14 @@
 #include "app/render/render_light.h"
 #include "app/render/surface_paint.h"
 #include "meshops/error.h"
+#include "meshops/shared_values.h"
 
 namespace sherd {
 
 PageLook::PageLook(const SurfaceLook& look, std::size_t picture_bytes, std::vector<std::string>& warnings)
-    : known(look.materials) {
+    : known(shared_values(look.material).rows) {
     for (const SurfaceMaterial& material : known)
-        drawn.push_back(drawn_material(material, look.texture.cols() > 0, warnings));
+        drawn.push_back(drawn_material(material, !look.texture.empty(), warnings));
     drawn.push_back({look.has_colours() ? 0xffffff : porcelain, -1});
     files.fit(picture_bytes, warnings);
 }
@@ -35,13 +36,16 @@ PageLook::Material PageLook::drawn_material(const SurfaceMaterial& material, boo
 PageLook::Arrays PageLook::arrays(const Snapshot& frame) const {
     const SurfaceLook& look = frame.rest.look;
     Arrays arrays;
-    for (const double x : look.texture.reshaped())
-        arrays.texture.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(x)));
+    for (const FaceTexture& corners : look.texture)
+        for (const Eigen::Vector2d& corner : corners)
+            for (const double x : corner)
+                arrays.texture.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(x)));
+    const SharedValues<SurfaceMaterial> materials = shared_values(look.material);
     std::vector<std::uint32_t> number;  // index of each of the frame's materials
-    for (const SurfaceMaterial& material : look.materials)
+    for (const SurfaceMaterial& material : materials.rows)
         number.push_back(static_cast<std::uint32_t>(std::ranges::find(known, material) - known.begin()));
     for (std::size_t f = 0; f < frame.faces.size(); ++f) {
-        const Index row = look.material.empty() ? -1 : look.material[f];
+        const Index row = materials.number.empty() ? -1 : materials.number[f];
         arrays.material.push_back(row < 0 ? static_cast<std::uint32_t>(known.size()) : number[row]);
         if (!look.has_colours()) continue;
         for (const Index v : frame.faces[f]) {
@@ -53,7 +57,7 @@ PageLook::Arrays PageLook::arrays(const Snapshot& frame) const {
 }
 
 std::size_t look_bytes(const SurfaceLook& look, std::size_t faces) {
-    const std::size_t numbers = 1 + (look.texture.cols() > 0 ? 6 : 0) + (look.has_colours() ? 3 : 0);
+    const std::size_t numbers = 1 + (look.texture.empty() ? 0 : 6) + (look.has_colours() ? 3 : 0);
     return faces * numbers * sizeof(std::uint32_t) * 4 / 3;
 }
 

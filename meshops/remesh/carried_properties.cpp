@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshops/remesh/carried_properties.h"
 
-#include "meshops/face_groups.h"
-#include "meshops/file_weights.h"
+#include "meshops/attributes.h"
 #include "meshops/mesh_measures.h"
-#include "meshops/read_mesh.h"
-#include "meshops/surface_colour.h"
-#include "meshops/surface_material.h"
 
 namespace sherd {
 namespace {
@@ -43,9 +39,9 @@ FaceTexture texture_on(const InputSurface& surface, const Mesh::Property_map<Fac
 }
 
 void carry_file_vertices(const InputSurface& surface, const std::vector<Face>& below, Mesh& mesh) {
-    const auto [number, exists] = find_property<Vertex, std::uint32_t>(surface.mesh, property::file_vertex);
+    const auto [number, exists] = find_property(surface.mesh, attribute::file_vertex);
     if (!exists) return;
-    auto places = mesh.add_property_map<Vertex, FileWeights>(property::file_weights).first;
+    auto places = add_property(mesh, attribute::file_weights);
     for (const Vertex v : mesh.vertices()) {
         const InputSurface::Site at = surface.nearest(below[v], position(mesh, v));
         const std::array<Vertex, 3> corners = face_corners(surface.mesh, at.face);
@@ -53,55 +49,54 @@ void carry_file_vertices(const InputSurface& surface, const std::vector<Face>& b
     }
 }
 
-void carry_vertex_colour(const InputSurface& surface, const std::vector<Face>& below, Mesh& mesh) {
-    const auto [colour, exists] = find_property<Vertex, Colour>(surface.mesh, property::vertex_colour);
+/// Gives the vertices the mean of a face's corners below them.
+template <class Value, Inherits rule>
+void carry(const InputSurface& surface, const std::vector<Face>& below, const std::vector<Face>&, Mesh& mesh,
+           const Attribute<Vertex, Value, rule>& attribute) {
+    const auto [values, exists] = find_property(surface.mesh, attribute);
     if (!exists) return;
-    auto carried = mesh.add_property_map<Vertex, Colour>(property::vertex_colour).first;
+    auto carried = add_property(mesh, attribute);
     for (const Vertex v : mesh.vertices()) {
         const InputSurface::Site at = surface.nearest(below[v], position(mesh, v));
         const std::array<Vertex, 3> corners = face_corners(surface.mesh, at.face);
-        ColourMean mean;
-        for (int k = 0; k < 3; ++k) mean.add(colour[corners[k]], at.weights[k]);
-        carried[v] = mean.colour();
+        Mean<Value> mean;
+        for (int k = 0; k < 3; ++k) mean.add(values[corners[k]], at.weights[k]);
+        carried[v] = mean.value();
     }
 }
 
-/// Whether the mesh has properties of faces.
-bool has_face_values(const Mesh& mesh) {
-    return find_property<Face, FaceTexture>(mesh, property::texture).second ||
-           find_property<Face, GroupNames>(mesh, property::groups).second ||
-           find_property<Face, Vector3d>(mesh, property::axis).second ||
-           find_property<Face, FaceMaterial>(mesh, property::surface_material).second ||
-           find_property<Face, Colour>(mesh, property::face_colour).second;
+/// Gives the faces the value of the face below their middle; texture coordinates are those of the place.
+/// side: [F] that face.
+template <class Value, Inherits rule>
+void carry(const InputSurface& surface, const std::vector<Face>&, const std::vector<Face>& side, Mesh& mesh,
+           const Attribute<Face, Value, rule>& attribute) {
+    const auto [values, exists] = find_property(surface.mesh, attribute);
+    if (!exists) return;
+    auto carried = add_property(mesh, attribute);
+    for (const Face face : mesh.faces())
+        if constexpr (std::same_as<Value, FaceTexture>)
+            carried[face] = texture_on(surface, values, side[face], mesh, face);
+        else
+            carried[face] = values[side[face]];
 }
 
-/// Copies a property of faces. side: [F] the face of the surface whose value each face gets.
-template <class Value>
-void carry_values(const InputSurface& surface, const std::vector<Face>& side, const char* name, Mesh& mesh) {
-    const auto [values, exists] = find_property<Face, Value>(surface.mesh, name);
-    if (!exists) return;
-    auto carried = mesh.add_property_map<Face, Value>(name).first;
-    for (const Face face : mesh.faces()) carried[face] = values[side[face]];
+bool has_face_values(const Mesh& mesh) {
+    bool any = false;
+    visit_surface_attributes(
+        [&]<class Element, class Value, Inherits rule>(const Attribute<Element, Value, rule>& attribute) {
+            any = any || (std::same_as<Element, Face> && find_property(mesh, attribute).second);
+        });
+    return any;
 }
 
 }  // namespace
 
 void carry_properties(const InputSurface& surface, const std::vector<Face>& below, Mesh& mesh) {
     carry_file_vertices(surface, below, mesh);
-    carry_vertex_colour(surface, below, mesh);
-    if (!has_face_values(surface.mesh)) return;
-    const auto [texture, has_texture] = find_property<Face, FaceTexture>(surface.mesh, property::texture);
-    Mesh::Property_map<Face, FaceTexture> new_texture;
-    if (has_texture) new_texture = mesh.add_property_map<Face, FaceTexture>(property::texture).first;
     std::vector<Face> side;
-    for (const Face face : mesh.faces()) {
-        side.push_back(face_below(surface, below, mesh, face));
-        if (has_texture) new_texture[face] = texture_on(surface, texture, side.back(), mesh, face);
-    }
-    carry_values<GroupNames>(surface, side, property::groups, mesh);
-    carry_values<Vector3d>(surface, side, property::axis, mesh);
-    carry_values<FaceMaterial>(surface, side, property::surface_material, mesh);
-    carry_values<Colour>(surface, side, property::face_colour, mesh);
+    if (has_face_values(surface.mesh))
+        for (const Face face : mesh.faces()) side.push_back(face_below(surface, below, mesh, face));
+    visit_surface_attributes([&](const auto& attribute) { carry(surface, below, side, mesh, attribute); });
 }
 
 }  // namespace sherd

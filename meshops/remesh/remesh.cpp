@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "meshops/aabb_tree.h"
+#include "meshops/attributes.h"
 #include "meshops/error.h"
 #include "meshops/mesh_measures.h"
 #include "meshops/property_border.h"
@@ -48,7 +49,7 @@ void add_near(const Mesh& mesh, double distance, FaceMarks& marks) {
 /// Drops texture coordinates if most edges are seams, as where every triangle is an island of the texture:
 /// seams could not be kept. Returns whether they were dropped.
 bool drop_torn_texture(Mesh& mesh) {
-    auto [texture, exists] = find_property<Face, FaceTexture>(mesh, property::texture);
+    auto [texture, exists] = find_property(mesh, attribute::texture);
     if (!exists) return false;
     std::size_t seams = 0;
     for (const Edge edge : mesh.edges()) seams += is_property_border(mesh, mesh.halfedge(edge)) ? 1 : 0;

@@ -111,12 +111,12 @@ TEST_F(CutLine, KeepsTextureAndGroups) {
     const auto result = run_sherd({"cut", "mesh.obj", "--line", "line.txt", "-o", "out.obj"}, directory.path);
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const TriangleSheet sheet = triangle_sheet(output("out.obj"));
-    ASSERT_EQ(sheet.texture.size(), sheet.triangles.size());
+    ASSERT_EQ(sheet.look.texture.size(), sheet.triangles.size());
     for (std::size_t f = 0; f < sheet.triangles.size(); ++f) {
-        const std::string side = sheet.named_groups[f]->front();
+        const std::string side = sheet.look.groups[f]->front();
         for (int i = 0; i < 3; ++i) {
             const Vector3d at = sheet.points[sheet.triangles[f][i]];
-            EXPECT_LT((sheet.texture[f][i] - Eigen::Vector2d(at.x() / 2, at.y())).norm(), 1e-9);
+            EXPECT_LT((sheet.look.texture[f][i] - Eigen::Vector2d(at.x() / 2, at.y())).norm(), 1e-9);
             EXPECT_TRUE(side == "left" ? at.x() <= 1 : at.x() >= 1);
         }
     }

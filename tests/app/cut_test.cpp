@@ -48,7 +48,7 @@ Mesh read(const std::filesystem::path& file) {
 void expect_rule_on(const std::filesystem::path& mesh_file, unsigned percent,
                     const std::filesystem::path& folder) {
     const Mesh mesh = read(mesh_file);
-    const auto number = find_property<Vertex, std::uint32_t>(mesh, property::file_vertex).first;
+    const auto number = find_property(mesh, attribute::file_vertex).first;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Edge>> edges;
     for (const Edge edge : mesh.edges())
         edges[std::minmax(number[mesh.vertex(edge, 0)], number[mesh.vertex(edge, 1)])].push_back(edge);
@@ -256,14 +256,14 @@ TEST_F(Cut, KeepsTextureGroupsAndOrder) {
     const Mesh before = read_cut(directory.path / "mesh.obj"), after = read_cut(directory.path / "out.obj");
     EXPECT_EQ(after.number_of_vertices(), 10U);
     const TriangleSheet old = triangle_sheet(before), now = triangle_sheet(after);
-    ASSERT_EQ(old.texture.size(), 4U);
-    EXPECT_EQ(now.texture, old.texture);
+    ASSERT_EQ(old.look.texture.size(), 4U);
+    EXPECT_EQ(now.look.texture, old.look.texture);
     ASSERT_EQ(now.triangles.size(), old.triangles.size());
     for (std::size_t f = 0; f < old.triangles.size(); ++f) {
         for (const int i : {0, 1, 2})
             EXPECT_EQ(now.points[now.triangles[f][i]], old.points[old.triangles[f][i]]);
         const auto groups = [f](const TriangleSheet& sheet) {
-            return sheet.named_groups[f] ? *sheet.named_groups[f] : std::vector<std::string>();
+            return sheet.look.groups[f] ? *sheet.look.groups[f] : std::vector<std::string>();
         };
         EXPECT_EQ(groups(now), groups(old));
     }
@@ -282,7 +282,7 @@ TEST_F(Cut, KeepsMaterialAxesInPly) {
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const TriangleSheet now = triangle_sheet(read_cut(directory.path / "out.ply"));
     EXPECT_EQ(now.points.size(), 6U);
-    EXPECT_EQ(now.axis, (std::vector<Eigen::Vector3d>{{1, 0.5, 0}, {0, 1, 0}}));
+    EXPECT_EQ(now.look.axis, (std::vector<Eigen::Vector3d>{{1, 0.5, 0}, {0, 1, 0}}));
 }
 
 TEST_F(Cut, WritesOffAndTakesEndingsInCapitals) {

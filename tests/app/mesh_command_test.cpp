@@ -6,6 +6,7 @@
 
 #include "app/scene/build/mesh.h"
 #include "app/scene/read/scene.h"
+#include "meshops/attributes.h"
 #include "meshops/face_groups.h"
 #include "meshops/mesh_measures.h"
 #include "meshops/read_mesh.h"
@@ -116,7 +117,7 @@ TEST_F(MeshCommand, SheetsAreObjectsOfOneObjAndFilesOfOtherFormats) {
     int left = 0;
     for (const Vertex v : all.vertices()) left += is_in_group(all, v, "left");
     EXPECT_EQ(left, 3) << "a group of one sheet goes on in the next";
-    const auto texture = find_property<Face, FaceTexture>(all, property::texture);
+    const auto texture = find_property(all, attribute::texture);
     ASSERT_TRUE(texture.second);
     EXPECT_EQ(texture.first[Face(0)][2], Eigen::Vector2d(0, 1));
 

@@ -6,10 +6,11 @@
 #include <set>
 
 #include "app/recording/recording.h"
+#include "meshops/attributes.h"
 #include "meshops/face_groups.h"
 #include "meshops/mesh_measures.h"
 #include "meshops/read_mesh.h"
-#include "meshops/surface_colour.h"
+#include "meshops/shared_values.h"
 #include "meshops/surface_material.h"
 #include "tests/support/glb_content.h"
 #include "tests/support/program.h"
@@ -120,18 +121,17 @@ TEST_F(TexturedRun, KeepsCoordinatesAndMaterialsOfFacesThatBreak) {
     const Snapshot frame = last();
     const Mesh plate = read("plate.obj");
     ASSERT_GT(frame.position.cols(), frame.rest.position.cols()) << "nothing broke";
-    ASSERT_EQ(frame.rest.look.texture.cols(), static_cast<Eigen::Index>(frame.faces.size()));
+    ASSERT_EQ(frame.rest.look.texture.size(), frame.faces.size());
     ASSERT_EQ(frame.rest.look.material.size(), frame.faces.size());
     for (std::size_t f = 0; f < frame.faces.size(); ++f) {
-        const std::string name = frame.rest.look.materials[frame.rest.look.material[f]].name;
+        const std::string name = frame.rest.look.material[f]->name;
         Vector3d middle = Vector3d::Zero();
         for (int k = 0; k < 3; ++k) middle += in_plate(frame.rest, f, k, plate) / 3;
         EXPECT_EQ(name, middle.x() < 0 ? "glaze" : "bare clay");
         for (int k = 0; k < 3; ++k) {
-            const Eigen::Vector2d found =
-                frame.rest.look.texture.col(static_cast<Index>(f)).segment<2>(2 * k);
             const Eigen::Vector2d expected = texture_at(in_plate(frame.rest, f, k, plate), name == "glaze");
-            EXPECT_LT((found - expected).norm(), 1e-9) << "corner " << k << " of face " << f;
+            EXPECT_LT((frame.rest.look.texture[f][k] - expected).norm(), 1e-9)
+                << "corner " << k << " of face " << f;
         }
     }
 }
@@ -141,14 +141,13 @@ TEST_F(TexturedRun, ObjAndItsMaterialsAreReadBackAsTheyWereRecorded) {
     succeeds({"export", "run.h5", "--to", "obj", "--sheets-only", "-o", "elsewhere/last.obj"});
     const Snapshot frame = last();
     const Mesh mesh = read("elsewhere/last.obj");
-    const auto [texture, has_texture] = find_property<Face, FaceTexture>(mesh, property::texture);
-    const auto [material, has_material] = find_property<Face, FaceMaterial>(mesh, property::surface_material);
+    const auto [texture, has_texture] = find_property(mesh, attribute::texture);
+    const auto [material, has_material] = find_property(mesh, attribute::surface_material);
     ASSERT_TRUE(has_texture && has_material);
     ASSERT_EQ(mesh.number_of_faces(), frame.faces.size());
     for (const Face face : mesh.faces()) {
-        const auto uv = frame.rest.look.texture.col(face.idx());
-        for (int k = 0; k < 3; ++k) EXPECT_EQ(texture[face][k], Eigen::Vector2d(uv.segment<2>(2 * k)));
-        EXPECT_EQ(*material[face], frame.rest.look.materials[frame.rest.look.material[face.idx()]]);
+        EXPECT_EQ(texture[face], frame.rest.look.texture[face.idx()]);
+        EXPECT_EQ(*material[face], *frame.rest.look.material[face.idx()]);
     }
     const std::string mtl = folder.contents().at(folder.path / "elsewhere/last.mtl");
     EXPECT_NE(mtl.find("map_Kd -s 1 1 ../pictures/blue glaze.png\n"), std::string::npos) << mtl;
@@ -161,13 +160,13 @@ TEST_F(TexturedRun, GroupsAndObjectsAreOnThePiecesAsGroups) {
         {"export", "run.h5", "--to", "obj", "--sheets-only", "--fragments", "--solid", "-o", "last.obj"});
     succeeds({"export", "run.h5", "--to", "pvd", "--frames", "-1", "-o", "run.pvd"});
     const Snapshot frame = last();
-    ASSERT_EQ(frame.rest.look.groups,
-              (std::vector<std::vector<std::string>>{{"right", "half", "plate of two halves"}}));
+    const auto shared = shared_values(frame.rest.look.groups);
+    ASSERT_EQ(shared.rows, (std::vector<std::vector<std::string>>{{"right", "half", "plate of two halves"}}));
     for (std::size_t f = 0; f < frame.faces.size(); ++f)
-        EXPECT_EQ(frame.rest.look.group[f], frame.rest.look.material[f] == 0 ? -1 : 0);
+        EXPECT_EQ(shared.number[f], frame.rest.look.material[f]->name == "glaze" ? -1 : 0);
     const Mesh mesh = read("last.obj");
-    const auto groups = find_property<Face, GroupNames>(mesh, property::groups).first;
-    const auto material = find_property<Face, FaceMaterial>(mesh, property::surface_material).first;
+    const auto groups = find_property(mesh, attribute::groups).first;
+    const auto material = find_property(mesh, attribute::surface_material).first;
     for (const Face face : mesh.faces()) {
         const std::vector<std::string>& names = *groups[face];
         EXPECT_TRUE(names.back().starts_with("fragment_"));
@@ -179,7 +178,7 @@ TEST_F(TexturedRun, GroupsAndObjectsAreOnThePiecesAsGroups) {
         }
     }
     const std::string vtp = folder.contents().at(folder.path / "run_000004.vtp");
-    EXPECT_EQ(vtp_array<std::int32_t>(vtp, "Int32", "group"), frame.rest.look.group);
+    EXPECT_EQ(vtp_array<std::int32_t>(vtp, "Int32", "group"), shared.number);
     EXPECT_NE(vtp.find("Name=\"group_names\" NumberOfTuples=\"1\""), std::string::npos);
 }
 
@@ -187,8 +186,8 @@ TEST_F(TexturedRun, GroupsAndObjectsAreOnThePiecesAsGroups) {
 TEST_F(TexturedRun, BrokenSidesOfSolidsAreInsideAndMeasuredInMetres) {
     succeeds({"export", "run.h5", "--to", "obj", "--sheets-only", "--solid", "-o", "solid.obj"});
     const Mesh mesh = read("solid.obj");
-    const auto [texture, has_texture] = find_property<Face, FaceTexture>(mesh, property::texture);
-    const auto [material, has_material] = find_property<Face, FaceMaterial>(mesh, property::surface_material);
+    const auto [texture, has_texture] = find_property(mesh, attribute::texture);
+    const auto [material, has_material] = find_property(mesh, attribute::surface_material);
     ASSERT_TRUE(has_texture && has_material);
     const std::size_t faces = last().faces.size();
     std::size_t inside = 0;
@@ -214,9 +213,9 @@ TEST_F(TexturedRun, GlbSplitsVerticesAtSeamsOnlyAndTurnsV) {
     const Glb glb(folder.contents().at(folder.path / "run.glb"));
     const Snapshot frame = last();
     std::set<std::array<float, 2>> expected, found;
-    for (const auto& uv : frame.rest.look.texture.colwise())
-        for (int k = 0; k < 3; ++k)
-            expected.insert({static_cast<float>(uv[2 * k]), static_cast<float>(1 - uv[2 * k + 1])});
+    for (const FaceTexture& corners : frame.rest.look.texture)
+        for (const Eigen::Vector2d& uv : corners)
+            expected.insert({static_cast<float>(uv.x()), static_cast<float>(1 - uv.y())});
     std::size_t vertices = 0;
     for (const nlohmann::json& mesh : glb.json["meshes"]) {
         const nlohmann::json& attributes = mesh["primitives"][0]["attributes"];
@@ -302,8 +301,9 @@ TEST_F(TexturedRun, VtpHasTextureCoordinatesOfPointsAndMaterialsOfFaces) {
     const auto corners = vtp_array<std::int32_t>(vtp, "Int32", "connectivity");
     for (std::size_t f = 0; f < frame.faces.size(); ++f)
         for (int i = 0; i < 6; ++i)
-            EXPECT_EQ(texture[2 * corners[3 * f + i / 2] + i % 2], frame.rest.look.texture(i, f));
-    EXPECT_EQ(vtp_array<std::int32_t>(vtp, "Int32", "material"), frame.rest.look.material);
+            EXPECT_EQ(texture[2 * corners[3 * f + i / 2] + i % 2], frame.rest.look.texture[f][i / 2][i % 2]);
+    EXPECT_EQ(vtp_array<std::int32_t>(vtp, "Int32", "material"),
+              shared_values(frame.rest.look.material).number);
 }
 
 /// The plate as .ply, whose colours follow its places.
@@ -335,8 +335,8 @@ TEST_F(TexturedRun, ColoursOfPlyAreThoseOfTheirPlacesOnThePieces) {
     const Snapshot frame = recording.frame(recording.frame_count() - 1);
     ASSERT_GT(frame.position.cols(), frame.rest.position.cols()) << "nothing broke";
     const Mesh plate = read("plate.ply"), mesh = read("painted.ply");
-    const auto vertex = find_property<Vertex, Colour>(mesh, property::vertex_colour).first;
-    const auto face = find_property<Face, Colour>(mesh, property::face_colour).first;
+    const auto vertex = find_property(mesh, attribute::vertex_colour).first;
+    const auto face = find_property(mesh, attribute::face_colour).first;
     for (std::size_t f = 0; f < frame.faces.size(); ++f) {
         Vector3d middle = Vector3d::Zero();
         for (int k = 0; k < 3; ++k) {

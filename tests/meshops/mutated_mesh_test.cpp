@@ -84,9 +84,9 @@ std::string mutated(std::string text, Generator& random) {
 std::vector<std::pair<std::string, std::string>> originals() {
     TriangleSheet sheet = triangle_sheet(octahedron());
     const std::string stl = stl_bytes(sheet), off = mesh_bytes(sheet, "a.off");
-    sheet.texture.resize(8, {Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1)});
-    sheet.axis.resize(8, Eigen::Vector3d(1, 0, 0));
-    sheet.named_groups.resize(
+    sheet.look.texture.resize(8, {Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1)});
+    sheet.look.axis.resize(8, Eigen::Vector3d(1, 0, 0));
+    sheet.look.groups.resize(
         8, std::make_shared<const std::vector<std::string>>(std::vector<std::string>{"low"}));
     return {{"a.ply", mesh_bytes(sheet, "a.ply")},
             {"a.ply", ply_square("1 0 0", "0 1 0")},

@@ -3,6 +3,7 @@
 // request.
 #include <gtest/gtest.h>
 
+#include "meshops/attributes.h"
 #include "meshops/components.h"
 #include "meshops/mesh_measures.h"
 #include "tests/support/mesh_reading.h"
@@ -75,7 +76,7 @@ TEST_F(OpenSeams, VerticesOnEdgesDivideThemWhereThatIsAskedFor) {
     EXPECT_EQ(measure(mesh).boundary_loops, 1);
     EXPECT_EQ(mesh.number_of_faces(), 7U);
     EXPECT_NEAR(area(mesh), 4, 1e-14);
-    const auto texture = find_property<Face, FaceTexture>(mesh, property::texture).first;
+    const auto texture = find_property(mesh, attribute::texture).first;
     EXPECT_EQ(texture[Face(0)][1], Eigen::Vector2d(1, 0)) << "texture coordinates are divided, too";
     // Points on all sides of one triangle, two of them on one side.
     const Mesh star = read("b.obj",

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <limits>
 
+#include "meshops/attributes.h"
 #include "meshops/error.h"
 #include "meshops/ply_header.h"
 #include "meshops/polygon_soup.h"
 #include "meshops/read_mesh.h"
-#include "meshops/surface_colour.h"
 #include "meshops/write_mesh.h"
 #include "tests/support/replaced.h"
 #include "tests/support/temporary_directory.h"
@@ -212,7 +212,7 @@ TEST(Ply, TheLargestColourTellsWhatFullLightIs) {
                         "0 0 0 " + colours + "\n1 0 0 0 0 0\n0 1 0 0 0 0\n");
     };
     const auto first_colour = [&](const std::string& type, const std::string& colours) {
-        return parse(content_of(type, colours)).point_colour[0];
+        return parse(content_of(type, colours)).look.vertex_colour[0];
     };
     const Colour expected{200, 30, 10, 255};
     for (const char* type : {"uchar", "short", "int", "uint", "float", "double"})
@@ -242,8 +242,8 @@ TEST(Ply, ColoursOfVerticesAndFacesAreReadAndWrittenAgain) {
     const Mesh mesh = read_mesh(folder.path / "a.ply", {}, warnings);
     write_mesh(triangle_sheet(mesh), folder.path / "b.ply");
     for (const Mesh& known : {mesh, read_mesh(folder.path / "b.ply", {}, warnings)}) {
-        const auto [vertex, has_vertex] = find_property<Vertex, Colour>(known, property::vertex_colour);
-        const auto [face, has_face] = find_property<Face, Colour>(known, property::face_colour);
+        const auto [vertex, has_vertex] = find_property(known, attribute::vertex_colour);
+        const auto [face, has_face] = find_property(known, attribute::face_colour);
         ASSERT_TRUE(has_vertex && has_face);
         EXPECT_EQ(vertex[Vertex(0)], (Colour{1, 2, 3, 4}));
         EXPECT_EQ(vertex[Vertex(1)], (Colour{250, 251, 252, 255}));
@@ -256,7 +256,7 @@ TEST(Ply, ColoursOfVerticesAndFacesAreReadAndWrittenAgain) {
 TEST(Ply, APartOfAColourIsNone) {
     EXPECT_TRUE(parse(replaced(replaced(good, "property float z\n", "property float z\nproperty uchar red\n"),
                                "0 0 0\n1 0 0\n0 1 0\n", "0 0 0 1\n1 0 0 1\n0 1 0 1\n"))
-                    .point_colour.empty());
+                    .look.vertex_colour.empty());
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // Otherwise the axes of a mesh file are assigned to the wrong faces.
 #include <gtest/gtest.h>
 
+#include "meshops/attributes.h"
 #include "meshops/read_mesh.h"
 #include "tests/support/ply_square.h"
 #include "tests/support/replaced.h"
@@ -15,7 +16,7 @@ std::vector<Eigen::Vector3d> axes_in(const std::string& text, bool repair = fals
     std::vector<std::string> warnings;
     const Mesh mesh =
         read_mesh(directory.write("a.ply", text), {.repair = repair ? Repair::all : Repair::least}, warnings);
-    const auto [axis, exists] = find_property<Face, Eigen::Vector3d>(mesh, property::axis);
+    const auto [axis, exists] = find_property(mesh, attribute::axis);
     std::vector<Eigen::Vector3d> found;
     if (exists)
         for (const Face face : mesh.faces()) found.push_back(axis[face]);

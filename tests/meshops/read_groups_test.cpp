@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "meshops/attributes.h"
 #include "meshops/face_groups.h"
 #include "meshops/read_mesh.h"
 #include "tests/support/temporary_directory.h"
@@ -42,7 +43,7 @@ TEST(ReadGroups, AGroupHoldsTheVerticesOfItsFacesInAllTriangles) {
     EXPECT_EQ(extent(mesh, "strong"), (Extent{1, 2}));
     EXPECT_EQ(extent(mesh, "end"), (Extent{0, 3}));
     EXPECT_EQ(extent(mesh, "en"), Extent{});
-    const auto [groups, exists] = find_property<Face, GroupNames>(mesh, property::groups);
+    const auto [groups, exists] = find_property(mesh, attribute::groups);
     ASSERT_TRUE(exists);
     const Names expected[]{{"end"}, {"end"}, {"centre", "strong"}, {"centre", "strong"}, {"end"}, {"end"}};
     for (const Face face : mesh.faces()) EXPECT_EQ(*groups[face], expected[face.idx()]);

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "meshops/attributes.h"
 #include "meshops/components.h"
 #include "meshops/error.h"
 #include "tests/support/mesh_quality.h"
@@ -75,7 +76,7 @@ TEST_F(ReadMesh, ReadsWhatObjFilesHold) {
              "v 1 1 0\r\nvt 0.25 0.5\r\nvt 1 0\r\nvt 1 1 0\r\nvn 0 0 1\r\ns off\r\nusemtl y\r\n"
              "f -3/-3/1 -2/-2/1 \\\r\n -1/-1/1\r\nv 0 1 0\r\nl 1 2\r\nf 1/1 3/3 4/2 # end");
     EXPECT_EQ(triangles(mesh), (Triangles{{0, 1, 2}, {0, 2, 3}}));
-    const auto [texture, exists] = find_property<Face, FaceTexture>(mesh, property::texture);
+    const auto [texture, exists] = find_property(mesh, attribute::texture);
     ASSERT_TRUE(exists);
     EXPECT_EQ(texture[Face(0)][0], Eigen::Vector2d(0.25, 0.5));
     EXPECT_EQ(texture[Face(0)][1], Eigen::Vector2d(1, 0));
@@ -93,7 +94,7 @@ TEST_F(ReadMesh, TellsOfMaterialsWhoseNameIsTooLong) {
 
 TEST_F(ReadMesh, HasNoTextureWhereTheFileHasNone) {
     const Mesh bare = read("a.obj", test::square + "f 1//1 2//1 3//1\n f 1 3 4\n");
-    EXPECT_FALSE((find_property<Face, FaceTexture>(bare, property::texture).second));
+    EXPECT_FALSE((find_property(bare, attribute::texture).second));
     read("b.obj", test::square + "vt 1 1\nf 1/1 2/1 3/1\nf 1 3 4\n");
     expect_warning("1 face was given texture coordinates (0, 0)");
 }
@@ -143,7 +144,7 @@ TEST_F(ReadMesh, TurnsTheFewerFacesOver) {
     const std::string strip = test::square + "v 2 0 0\nv 2 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n";
     const Mesh mesh = read("a.obj", strip + "f 1/1 3/2 2/3\nf 1/1 3/1 4/1\nf 2/1 5/1 3/1\nf 5/1 6/1 3/1\n");
     EXPECT_EQ(triangles(mesh), (Triangles{{0, 1, 2}, {0, 2, 3}, {1, 4, 2}, {4, 5, 2}}));
-    const auto texture = find_property<Face, FaceTexture>(mesh, property::texture).first;
+    const auto texture = find_property(mesh, attribute::texture).first;
     EXPECT_EQ(texture[Face(0)][1], Eigen::Vector2d(0, 1));  // moves with the corner
     expect_warning("1 face was turned over");
     EXPECT_EQ(warnings.size(), 1U);

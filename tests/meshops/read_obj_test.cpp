@@ -2,6 +2,7 @@
 // OBJ and MTL files as other programs write them.
 #include <gtest/gtest.h>
 
+#include "meshops/attributes.h"
 #include "meshops/face_groups.h"
 #include "meshops/surface_material.h"
 #include "tests/support/mesh_reading.h"
@@ -49,7 +50,7 @@ TEST_F(ReadObj, SaysWhichObjStatementsItPassesOver) {
 
 TEST_F(ReadObj, TakesTexturePointsBehindTheFacesThatNameThem) {
     const Mesh mesh = read("a.obj", test::square + "f 1/1 2/2 3/3\nvt 0 0\nvt 1 0\nvt 1 1\n");
-    const auto [texture, exists] = find_property<Face, FaceTexture>(mesh, property::texture);
+    const auto [texture, exists] = find_property(mesh, attribute::texture);
     ASSERT_TRUE(exists);
     EXPECT_EQ(texture[Face(0)][2], Eigen::Vector2d(1, 1));
     expect_failure("b.obj", test::square + "f 1/1 2/2 3/4\nvt 0 0\nvt 1 0\nvt 1 1\n", "texture point");
@@ -61,7 +62,7 @@ TEST_F(ReadObj, FindsMaterialsByTheNamesThatExportersWrite) {
     const Mesh mesh =
         read("a.obj", "mtllib m#2.mtl\n" + test::square + "usemtl \"red glass\" # of old\nf 1 2 3 4\n");
     EXPECT_TRUE(warnings.empty()) << warnings[0];
-    const auto [material, exists] = find_property<Face, FaceMaterial>(mesh, property::surface_material);
+    const auto [material, exists] = find_property(mesh, attribute::surface_material);
     ASSERT_TRUE(exists);
     EXPECT_EQ(material[Face(0)]->name, "red glass");
     EXPECT_NE(material[Face(0)]->definition.find("Kd 1 0 0"), std::string::npos);
@@ -73,7 +74,7 @@ TEST_F(ReadObj, TakesNamesThatAreNotUtf8ForLatin1) {
     for (const std::string name : {"gr\xFCn", "gr\xC3\xBCn"}) {
         const Mesh mesh = read(
             "a.obj", "mtllib a.mtl\n" + test::square + "g " + name + "\nusemtl " + name + "\nf 1 2 3 4\n");
-        const auto material = find_property<Face, FaceMaterial>(mesh, property::surface_material).first;
+        const auto material = find_property(mesh, attribute::surface_material).first;
         EXPECT_EQ(material[Face(0)]->name, "gr\xC3\xBCn");
         EXPECT_FALSE(material[Face(0)]->definition.empty());
         EXPECT_EQ(group_names(mesh), (std::vector<std::string>{"gr\xC3\xBCn"}));

@@ -2,6 +2,7 @@
 // Repairs of read_mesh(), which must change nothing beyond the permitted faults.
 #include <gtest/gtest.h>
 
+#include "meshops/attributes.h"
 #include "meshops/components.h"
 #include "meshops/mesh_measures.h"
 #include "tests/support/mesh_reading.h"
@@ -20,7 +21,7 @@ TEST_F(RepairMesh, LeavesNoSlitWhereATriangleHadNoArea) {
     EXPECT_EQ(triangles(divided), (Triangles{{0, 1, 4}, {1, 2, 4}, {0, 4, 3}, {4, 2, 3}}));
     EXPECT_NEAR(area(divided), 1, 1e-15);
     EXPECT_EQ(measure(divided).boundary_loops, 1);
-    const auto texture = find_property<Face, FaceTexture>(divided, property::texture).first;
+    const auto texture = find_property(divided, attribute::texture).first;
     EXPECT_EQ(texture[Face(2)][1], Eigen::Vector2d(0.5, 0.5));
     // Two corners at one place, as at the pole of a sphere of quads: the faces around become one fan.
     const Mesh pole = read("b.obj",

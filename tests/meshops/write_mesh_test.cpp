@@ -30,7 +30,7 @@ TriangleSheet two_triangles() {
     sheet.points = {{0, 0, 0}, {1.0 / 3, 0, 1e-300}, {1, 1, 0}, {0, 0.1, -2.5}};
     sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
     const Eigen::Vector2d a(0, 0), b(1.0 / 3, 0), c(1, 1);
-    sheet.texture = {{a, b, c}, {a, c, b}};
+    sheet.look.texture = {{a, b, c}, {a, c, b}};
     return sheet;
 }
 
@@ -55,14 +55,14 @@ TEST(WriteMesh, KeepsTextureAndExtremeNumbersInObj) {
     write_mesh(sheet, directory.path / "a.obj");
     const TriangleSheet again = triangle_sheet(read(directory.path / "a.obj"));
     EXPECT_EQ(again.points, sheet.points);
-    EXPECT_EQ(again.texture, sheet.texture);
+    EXPECT_EQ(again.look.texture, sheet.look.texture);
 }
 
 // Readers of objects assume that each has its own points.
 TEST(WriteMesh, MakesAnObjObjectOfEachGroup) {
     const test::TemporaryDirectory directory;
     TriangleSheet sheet = two_triangles();
-    sheet.texture.clear();
+    sheet.look.texture.clear();
     sheet.points[3] = {0, 1, 0};
     sheet.points[1] = {1, 0, 0};
     sheet.group = {1, 0};

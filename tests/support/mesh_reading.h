@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "meshops/attributes.h"
 #include "meshops/error.h"
 #include "meshops/read_mesh.h"
 #include "tests/support/mesh_quality.h"
@@ -57,7 +58,7 @@ using Triangles = std::vector<std::vector<unsigned>>;
 
 /// Corners of each face as numbers in the file, beginning with the first.
 inline Triangles triangles(const Mesh& mesh) {
-    const auto [file_vertex, exists] = find_property<Vertex, std::uint32_t>(mesh, property::file_vertex);
+    const auto [file_vertex, exists] = find_property(mesh, attribute::file_vertex);
     EXPECT_TRUE(exists);
     Triangles result;
     for (const Face face : mesh.faces()) {

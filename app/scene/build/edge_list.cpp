@@ -10,6 +10,7 @@
 #include <map>
 #include <string>
 
+#include "meshops/attributes.h"
 #include "meshops/error.h"
 #include "meshops/text_line.h"
 
@@ -22,7 +23,7 @@ using EdgesByEnds = std::vector<std::pair<VertexPair, Edge>>;
 /// The mesh's edges, in the order of the numbers of their ends in the file. Where the reader has separated a
 /// non-manifold edge, several edges have the same pair of ends.
 EdgesByEnds edges_by_file_vertices(const Mesh& mesh) {
-    const auto number = find_property<Vertex, std::uint32_t>(mesh, property::file_vertex).first;
+    const auto number = find_property(mesh, attribute::file_vertex).first;
     EdgesByEnds edges;
     edges.reserve(mesh.number_of_edges());
     for (const Edge edge : mesh.edges())

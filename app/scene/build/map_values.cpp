@@ -5,8 +5,8 @@
 
 #include "app/files/texels.h"
 #include "app/scene/build/texture.h"
+#include "meshops/attributes.h"
 #include "meshops/error.h"
-#include "meshops/file_weights.h"
 #include "meshops/float_grid.h"
 #include "meshops/mesh_measures.h"
 #include "meshops/read_mesh.h"
@@ -95,8 +95,8 @@ std::vector<double> at_vertices(const MapProperty& map, const SheetSpec& sheet, 
     const auto* file = std::get_if<MeshFile>(&sheet.mesh);
     if (file == nullptr) throw Error("the mesh has no properties of a file: give a PLY file");
     const std::vector<double> of_file = read_vertex_property(file->path, map.name);
-    const auto [number, is_as_read] = find_property<Vertex, std::uint32_t>(mesh, property::file_vertex);
-    const auto place = find_property<Vertex, FileWeights>(mesh, property::file_weights).first;
+    const auto [number, is_as_read] = find_property(mesh, attribute::file_vertex);
+    const auto place = find_property(mesh, attribute::file_weights).first;
     std::vector<double> values;
     for (const Vertex v : mesh.vertices()) {
         if (is_as_read) values.push_back(of_file[number[v]]);

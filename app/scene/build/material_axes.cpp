@@ -10,6 +10,7 @@
 #include "app/scene/build/axis_texture.h"
 #include "app/scene/build/texture.h"
 #include "app/words/place_words.h"
+#include "meshops/attributes.h"
 #include "meshops/error.h"
 #include "meshops/mesh_measures.h"
 #include "meshops/read_mesh.h"
@@ -121,7 +122,7 @@ std::vector<Vector3d> axes_of(const AxisTexture& axis, const Mesh& mesh, const E
 
 std::vector<Vector3d> axes_of(const AxisField&, const Mesh& mesh, const Eigen::Isometry3d& place,
                               std::vector<std::string>&) {
-    const auto [field, exists] = find_property<Face, Vector3d>(mesh, property::axis);
+    const auto [field, exists] = find_property(mesh, attribute::axis);
     if (!exists)
         throw Error(
             "the mesh has no axes: give a PLY file with face properties axis_x, axis_y and axis_z of type "

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "app/scene/build/edge_list.h"
+#include "meshops/attributes.h"
 #include "meshops/edge_path.h"
 #include "meshops/error.h"
 
@@ -12,7 +13,7 @@ namespace sherd {
 namespace {
 
 std::vector<Edge> edges_of(const ScoreFile& score, const Mesh& mesh, const Eigen::Isometry3d&) {
-    if (!find_property<Vertex, std::uint32_t>(mesh, property::file_vertex).second)
+    if (!find_property(mesh, attribute::file_vertex).second)
         throw Error("a list of edges needs a mesh from a file, without remesh: give a line instead");
     return read_edge_list(score.path, mesh);
 }

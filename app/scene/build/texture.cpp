@@ -4,11 +4,12 @@
 #include <fmt/format.h>
 
 #include "app/words/place_words.h"
+#include "meshops/attributes.h"
 #include "meshops/error.h"
 
 namespace sherd {
 Mesh::Property_map<Face, FaceTexture> texture_coordinates(const Mesh& mesh) {
-    const auto [texture, exists] = find_property<Face, FaceTexture>(mesh, property::texture);
+    const auto [texture, exists] = find_property(mesh, attribute::texture);
     if (!exists) throw Error("the mesh has no texture coordinates: give an OBJ file with vt lines");
     for (const Face face : mesh.faces())
         for (const Eigen::Vector2d& corner : texture[face])

@@ -58,9 +58,11 @@ class Painted : public testing::Test {
     }
     void paint_green() {
         look([&](SurfaceLook& look, std::size_t faces) {
-            look.texture = CornerTexture::Constant(6, static_cast<Eigen::Index>(faces), 0.3);
-            look.material.assign(faces, 0);
-            look.materials = {{"glaze", "Kd 1 0 0\nmap_Kd " + (folder.path / "green.jpg").string() + "\n"}};
+            const Eigen::Vector2d inside(0.3, 0.3);
+            look.texture.assign(faces, {inside, inside, inside});
+            look.material.assign(
+                faces, std::make_shared<const SurfaceMaterial>(SurfaceMaterial{
+                           "glaze", "Kd 1 0 0\nmap_Kd " + (folder.path / "green.jpg").string() + "\n"}));
         });
     }
     RenderOptions options() const {
@@ -127,7 +129,7 @@ TEST_F(Painted, ARecordingOfWhichFilesSayNothingIsAnError) {
 TEST_F(Painted, AFaceShowsItsOwnPartOfThePicture) {
     paint_green();
     Snapshot& frame = run.frames.back();
-    frame.rest.look.texture(2, 1) = 0.75;
+    frame.rest.look.texture[1][1].x() = 0.75;
     std::vector<std::string> warnings;
     const SheetPaint paint =
         SurfacePaint(run.header.rest_look, warnings).paint(frame, Eigen::Vector3f::Ones());

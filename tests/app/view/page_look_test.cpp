@@ -39,17 +39,15 @@ class LookOfPage : public ::testing::Test {
 
     SurfaceLook look(std::size_t faces, std::size_t vertices, std::size_t k) const {
         SurfaceLook look;
-        look.texture = CornerTexture::Constant(6, static_cast<Eigen::Index>(faces), 0.25);
-        look.texture(1, static_cast<Eigen::Index>(k)) = 7;
-        look.materials = {{"glaze", "Kd 1 0 0\nmap_Kd " + (folder.path / "blue.png").string() + "\n"},
-                          {"clay", "Kd 0.5 0.25 0\n"}};
-        look.material.assign(faces, 0);
-        look.material[k + 3] = 1;
-        look.material[1] = -1;
-        if (k == 2) {  // other rows for the same materials
-            std::swap(look.materials[0], look.materials[1]);
-            for (Index& row : look.material) row = row < 0 ? -1 : 1 - row;
-        }
+        const Eigen::Vector2d quarter(0.25, 0.25);
+        look.texture.assign(faces, {quarter, quarter, quarter});
+        look.texture[k][0].y() = 7;
+        const auto glaze = std::make_shared<const SurfaceMaterial>(
+            SurfaceMaterial{"glaze", "Kd 1 0 0\nmap_Kd " + (folder.path / "blue.png").string() + "\n"});
+        const auto clay = std::make_shared<const SurfaceMaterial>(SurfaceMaterial{"clay", "Kd 0.5 0.25 0\n"});
+        look.material.assign(faces, glaze);
+        look.material[k + 3] = clay;
+        look.material[1] = nullptr;
         look.vertex_colour.assign(vertices, white);
         look.vertex_colour[k] = {1, 2, 3, 4};
         return look;
@@ -83,7 +81,9 @@ void change(Numbers& numbers, const Json& pairs) {
 TEST_F(LookOfPage, IsThatOfEachFrame) {
     const Recording recording(folder.path / "run.h5");
     const RenderStage stage(recording, StageOptions(), warnings);
-    const PageLook look(run.header.rest_look, 1'000'000, warnings);
+    SurfaceLook start = run.header.rest_look;
+    start.material[0] = start.material[3];  // rows in another order than in the frames
+    const PageLook look(start, 1'000'000, warnings);
     const Json data = view_data(recording, stage, {0, 1, 2}, {}, look);
     const auto first = [&](const char* name) { return decoded<std::uint32_t>(data["look"][name]); };
     Numbers texture = first("texture"), material = first("material"), colour = first("colour");
@@ -94,7 +94,7 @@ TEST_F(LookOfPage, IsThatOfEachFrame) {
         change(colour, data["frames"][k]["colour"]);
         ASSERT_EQ(material.size(), frame.faces.size());
         for (std::size_t f = 0; f < frame.faces.size(); ++f) {
-            EXPECT_EQ(material[f], f == 1 ? 2u : f == k + 3 ? 1u : 0u) << "face " << f << " of frame " << k;
+            EXPECT_EQ(material[f], f == 1 ? 2u : f == k + 3 ? 0u : 1u) << "face " << f << " of frame " << k;
             for (std::size_t i = 0; i < 6; ++i)
                 EXPECT_EQ(std::bit_cast<float>(texture[6 * f + i]), f == k && i == 1 ? 7 : 0.25f);
             for (std::size_t i = 0; i < 3; ++i)
@@ -102,8 +102,8 @@ TEST_F(LookOfPage, IsThatOfEachFrame) {
                           frame.original[frame.faces[f][i]] == static_cast<Index>(k) ? 0x030201u : 0xffffffu);
         }
     }
-    EXPECT_EQ(data["look"]["materials"], Json::parse("[[16711680, 0], [12355840, -1], [16777215, -1]]"))
-        << "red with a picture, linear (0.5, 0.25, 0), and white that colours multiply";
+    EXPECT_EQ(data["look"]["materials"], Json::parse("[[12355840, -1], [16711680, 0], [16777215, -1]]"))
+        << "linear (0.5, 0.25, 0), red with a picture, and white that colours multiply";
 }
 
 TEST_F(LookOfPage, HasThePicturesAsTheyAre) {

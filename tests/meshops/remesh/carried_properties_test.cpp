@@ -4,11 +4,11 @@
 
 #include <fstream>
 
+#include "meshops/attributes.h"
 #include "meshops/face_groups.h"
 #include "meshops/mesh_measures.h"
 #include "meshops/read_mesh.h"
 #include "meshops/remesh/remesh.h"
-#include "meshops/surface_colour.h"
 #include "tests/support/temporary_directory.h"
 
 namespace sherd {
@@ -46,8 +46,8 @@ TEST(CarriedProperties, TextureAndGroupsChangeAtTheSameLine) {
     for (const double edge_length : {0.7, 2.3}) {
         const Remeshed result = remesh(two_halves("halves.obj"), {edge_length});
         EXPECT_FALSE(result.texture_lost);
-        const auto [texture, has_texture] = find_property<Face, FaceTexture>(result.mesh, property::texture);
-        const auto [groups, has_groups] = find_property<Face, GroupNames>(result.mesh, property::groups);
+        const auto [texture, has_texture] = find_property(result.mesh, attribute::texture);
+        const auto [groups, has_groups] = find_property(result.mesh, attribute::groups);
         ASSERT_TRUE(has_texture && has_groups);
         for (const Face face : result.mesh.faces()) {
             const bool is_left = centroid(result.mesh, face).x() < 10;
@@ -65,11 +65,11 @@ TEST(CarriedProperties, TextureAndGroupsChangeAtTheSameLine) {
 
 TEST(CarriedProperties, AxesAreThoseBelow) {
     Mesh mesh = two_halves("halves.obj");
-    auto axis = mesh.add_property_map<Face, Vector3d>(property::axis).first;
+    auto axis = add_property(mesh, attribute::axis);
     for (const Face face : mesh.faces())
         axis[face] = centroid(mesh, face).y() < 10 ? Vector3d::UnitX() : Vector3d::UnitY();
     const Mesh result = remesh(mesh, {1.3}).mesh;
-    const auto [carried, exists] = find_property<Face, Vector3d>(result, property::axis);
+    const auto [carried, exists] = find_property(result, attribute::axis);
     ASSERT_TRUE(exists);
     for (const Face face : result.faces())
         if (const double y = centroid(result, face).y(); std::abs(y - 10) > 0.5) {
@@ -80,17 +80,17 @@ TEST(CarriedProperties, AxesAreThoseBelow) {
 // Otherwise a painted scan would lose its paint, or get it at wrong places.
 TEST(CarriedProperties, ColoursAreThoseBelow) {
     Mesh mesh = two_halves("halves.obj");
-    auto at_vertex = mesh.add_property_map<Vertex, Colour>(property::vertex_colour).first;
+    auto at_vertex = add_property(mesh, attribute::vertex_colour);
     for (const Vertex v : mesh.vertices()) {
         const auto ramp = static_cast<std::uint8_t>(10 * position(mesh, v).x());
         at_vertex[v] = {ramp, 7, 0, 255};
     }
-    auto of_face = mesh.add_property_map<Face, Colour>(property::face_colour).first;
+    auto of_face = add_property(mesh, attribute::face_colour);
     for (const Face face : mesh.faces())
         of_face[face] = centroid(mesh, face).x() < 10 ? Colour{1, 2, 3, 255} : Colour{4, 5, 6, 255};
     const Mesh result = remesh(mesh, {1.3}).mesh;
-    const auto [vertex, has_vertex] = find_property<Vertex, Colour>(result, property::vertex_colour);
-    const auto [face_colour, has_face] = find_property<Face, Colour>(result, property::face_colour);
+    const auto [vertex, has_vertex] = find_property(result, attribute::vertex_colour);
+    const auto [face_colour, has_face] = find_property(result, attribute::face_colour);
     ASSERT_TRUE(has_vertex && has_face);
     for (const Vertex v : result.vertices()) {
         EXPECT_NEAR(vertex[v][0], 10 * position(result, v).x(), 0.5 + 1e-9);
@@ -103,13 +103,13 @@ TEST(CarriedProperties, ColoursAreThoseBelow) {
 // If all seams were kept, nothing could be remeshed.
 TEST(CarriedProperties, ATextureInShredsIsLostAndItSaysSo) {
     Mesh mesh = two_halves("halves.obj");
-    auto texture = find_property<Face, FaceTexture>(mesh, property::texture).first;
+    auto texture = find_property(mesh, attribute::texture).first;
     for (const Face face : mesh.faces())
         for (Vector2d& at : texture[face]) at.x() += 2.0 * face.idx();
     const Remeshed result = remesh(mesh, {2.3});
     EXPECT_TRUE(result.texture_lost);
     EXPECT_LT(result.mesh.number_of_faces(), 300u);
-    EXPECT_FALSE((find_property<Face, FaceTexture>(result.mesh, property::texture).second));
+    EXPECT_FALSE((find_property(result.mesh, attribute::texture).second));
 }
 
 }  // namespace
