@@ -48,6 +48,12 @@ struct ShellChange {
     /// Changed and inserted faces, ascending, each with the changed faces of which it inherits a part and the
     /// fraction of their area and mass: the largest part first. The fractions of a changed face sum to 1.
     std::vector<Heir> reshaped = {};
+    /// An edge across old faces: flipped, or inserted inside a face.
+    struct CrossingEdge {
+        Index edge;
+        std::vector<Index> around;  ///< the old edges of these faces, each once
+    };
+    std::vector<CrossingEdge> crossing = {};
     /// Hinges with other vertices or another rest shape, ascending; new hinges were appended.
     std::vector<Index> reshaped_hinges = {};
     struct Weight {

@@ -64,13 +64,12 @@ BreakableShell::BreakableShell(const std::vector<SheetInput>& inputs)
         first_vertex += number(input.mesh.number_of_vertices());
     }
     add_coincident_vertices();
-    face_axes = joined_axes(inputs);
+    shell.face_axis = joined_axes(inputs);
     add_strengths(inputs);
     add_triangles();
     add_hinges();
     add_footprints();
-    kept_vertices.assign(mesh().number_of_vertices(), 0);
-    kept_edges.assign(mesh().number_of_edges(), 0);
+    shell.edge_kept.assign(mesh().number_of_edges(), 0);
     first_vertex = 0;
     for (const SheetInput& input : inputs) {
         set_rigid_motion(input, first_vertex);
@@ -117,10 +116,8 @@ void BreakableShell::add_coincident_vertices() {
 
 void BreakableShell::visit_state(StateVisitor& visit) {
     auto& [crack_mesh, shell, rest_ancestry, lips, exemptions, materials, strengths, toughnesses,
-           art_directions, face_axes, strength_factors, toughness_factors, kept_vertices, kept_edges,
-           waiting] = *this;
-    visit(crack_mesh, shell, rest_ancestry, lips, exemptions, face_axes, strength_factors, toughness_factors,
-          kept_vertices, kept_edges, waiting);
+           art_directions, waiting] = *this;
+    visit(crack_mesh, shell, rest_ancestry, lips, exemptions, waiting);
 }
 
 TriangleStencil BreakableShell::stencil(Face face) const {
@@ -128,7 +125,7 @@ TriangleStencil BreakableShell::stencil(Face face) const {
     const TrianglePositions rest = columns(shell.rest, vertices);
     const Material material = material_of(shell.face_sheet[face], vertices);
     return {vertices,
-            membrane_triangle(rest, membrane_elasticity(material, axis_angle(rest, face_axes[face])))};
+            membrane_triangle(rest, membrane_elasticity(material, axis_angle(rest, shell.face_axis[face])))};
 }
 
 void BreakableShell::add_triangles() {
@@ -143,7 +140,7 @@ void BreakableShell::add_triangles() {
 
 /// Angle of the material's axis in the hinge's plane against its edge, rad.
 double BreakableShell::hinge_axis(Edge edge) const {
-    const auto axis = [&](int side) { return face_axes[mesh().face(mesh().halfedge(edge, side))]; };
+    const auto axis = [&](int side) { return shell.face_axis[mesh().face(mesh().halfedge(edge, side))]; };
     return hinge_axis_angle(columns(shell.rest, hinge_vertices(edge)), {axis(0), axis(1)});
 }
 
@@ -155,12 +152,13 @@ HingeStencil BreakableShell::stencil(Edge edge) const {
 
 double BreakableShell::strength_of_hinge(Edge edge) const {
     const Strength& strength = strengths[sheet_of(edge)];
-    const double itself = directional_strength(strength, hinge_axis(edge)) * strength_factors[edge];
+    const double itself = directional_strength(strength, hinge_axis(edge)) * shell.edge_strength_factor[edge];
     return strength.measure == Measure::stress ? itself + materials[sheet_of(edge)].tempered : itself;
 }
 
 double BreakableShell::toughness_of_hinge(Edge edge) const {
-    return directional_toughness(toughnesses[sheet_of(edge)], hinge_axis(edge)) * toughness_factors[edge];
+    return directional_toughness(toughnesses[sheet_of(edge)], hinge_axis(edge)) *
+           shell.edge_toughness_factor[edge];
 }
 
 void BreakableShell::add_hinges() {
@@ -189,8 +187,8 @@ void BreakableShell::add_strengths(const std::vector<SheetInput>& inputs) {
             factors.insert(factors.end(), given.begin(), given.end());
             if (given.empty()) factors.resize(factors.size() + edges, 1);
         };
-        take(strength_factors, input.strength.factors, "strength");
-        take(toughness_factors, input.toughness.factors, "toughness");
+        take(shell.edge_strength_factor, input.strength.factors, "strength");
+        take(shell.edge_toughness_factor, input.toughness.factors, "toughness");
         materials.push_back(input.material);
         strengths.push_back(input.strength);
         strengths.back().factors.clear();
@@ -226,9 +224,9 @@ double BreakableShell::toughness_towards(Vertex from, const Vector3d& direction)
         const double along = way.dot(direction) / way.norm();
         if (along <= nearest || !can_fail(edge)) continue;
         nearest = along;
-        const Vector3d& axis = face_axes[mesh().face(mesh().is_border(h) ? mesh().opposite(h) : h)];
+        const Vector3d& axis = shell.face_axis[mesh().face(mesh().is_border(h) ? mesh().opposite(h) : h)];
         const double angle = std::atan2(axis.cross(direction).norm(), axis.dot(direction));
-        found = directional_toughness(toughnesses[sheet_of(edge)], angle) * toughness_factors[edge];
+        found = directional_toughness(toughnesses[sheet_of(edge)], angle) * shell.edge_toughness_factor[edge];
     }
     return found;
 }
@@ -263,14 +261,10 @@ std::array<Index, 4> BreakableShell::hinge_vertices(Edge edge) const {
 BreakableShell::Change BreakableShell::fail(std::span<const Edge> edges) {
     Change change{crack_mesh.fail(edges), {}};
     const TopologyChange& topology = change.cracks.topology;
-    change.shell = shell_change(topology, shell);
+    change.shell = shell_change(mesh(), topology, shell);
     for (const Edge edge : edges) change.shell.removed_hinges.push_back(remove_hinge_of(shell, number(edge)));
     follow(shell, change.shell);
     rest_ancestry.follow(mesh(), topology);
-    inherit_kept(topology);
-    for (const Born<Edge>& edge : topology.edges)
-        for (std::vector<double>* factors : {&strength_factors, &toughness_factors})
-            factors->push_back((*factors)[edge.parent()]);
     renumber(topology.changed);
     share_masses(topology);
     lips.open(topology);

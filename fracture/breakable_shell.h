@@ -115,10 +115,8 @@ class BreakableShell {
 
     /// Where the mesh lies in the unfractured one.
     const RestAncestry& ancestry() const { return rest_ancestry; }
-    std::span<const Vector3d> axes() const {
-        return face_axes;
-    }  ///< [F] as in SheetInput; zero where nothing depends on it
-    double strength_factor(Edge edge) const { return strength_factors[edge]; }  ///< as in Strength
+    std::span<const Vector3d> axes() const { return shell.face_axis; }                    ///< [F] as in Shell
+    double strength_factor(Edge edge) const { return shell.edge_strength_factor[edge]; }  ///< as in Strength
 
     /// Exempts faces that overlap at the start from contact until they have separated (StartExemptions).
     void exempt(std::span<const StartOverlap> overlaps);
@@ -160,8 +158,6 @@ class BreakableShell {
     AdvanceOptions with_kept(const AdvanceOptions& options) const;
     ShellChange reshape(const TopologyChange& topology);
     void write_pairs();  ///< sets shell.twins, shell.near and shell.lips
-    void inherit_kept(const TopologyChange& topology);
-    void inherit_factors(const TopologyChange& topology);
     void reshape_faces(const ShellChange& change);
     void reshape_hinges(ShellChange& change);
     void add_footprints(std::span<const Index> faces, const OldSides* old, double sign);
@@ -178,9 +174,6 @@ class BreakableShell {
     std::vector<Strength> strengths;     ///< [sheets], without factors
     std::vector<Toughness> toughnesses;  ///< [sheets], without factors
     std::vector<ArtDirection> art_directions;
-    std::vector<Vector3d> face_axes;                          ///< [F]
-    std::vector<double> strength_factors, toughness_factors;  ///< [E]
-    std::vector<char> kept_vertices, kept_edges;              ///< [V] and [E]
     std::vector<char> waiting;  ///< [sheets] whether it must not fail yet; empty: none waits
 };
 

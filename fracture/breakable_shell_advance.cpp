@@ -19,17 +19,6 @@ Vector3d in_plane(const Vector3d& axis, const TrianglePositions& rest) {
     return within.norm() > 1e-9 * axis.norm() ? Vector3d(axis.norm() * within.normalized()) : axis;
 }
 
-double mean_factor(const std::vector<Edge>& edges, const std::vector<double>& factors) {
-    double sum = 0;
-    int count = 0;
-    for (const Edge edge : edges)
-        if (std::isfinite(factors[edge])) {
-            sum += factors[edge];
-            ++count;
-        }
-    return count > 0 ? sum / count : std::numeric_limits<double>::infinity();
-}
-
 std::vector<Index> faces_of(const std::vector<ShellChange::ChangedFace>& changed) {
     std::vector<Index> faces;
     for (const auto& [face, vertices] : changed) faces.push_back(face);
@@ -45,7 +34,7 @@ std::vector<Index> elements_of(const std::vector<Heir>& heirs) {
 }  // namespace
 
 void BreakableShell::keep_place(std::span<const Index> vertices) {
-    for (const Index vertex : vertices) kept_vertices[vertex] = 1;
+    for (const Index vertex : vertices) shell.kept[vertex] = 1;
 }
 
 void BreakableShell::keep_border(std::span<const Index> faces) {
@@ -54,7 +43,7 @@ void BreakableShell::keep_border(std::span<const Index> faces) {
     for (const Edge edge : mesh().edges())
         if (!mesh().is_border(edge) &&
             inside[mesh().face(mesh().halfedge(edge, 0))] != inside[mesh().face(mesh().halfedge(edge, 1))])
-            kept_edges[edge] = 1;
+            shell.edge_kept[edge] = 1;
 }
 
 bool BreakableShell::overlaps_collider(Vertex vertex) const {
@@ -73,11 +62,11 @@ bool BreakableShell::is_held_alone(Vertex vertex) const {
 AdvanceOptions BreakableShell::with_kept(const AdvanceOptions& options) const {
     AdvanceOptions all = options;
     all.kept.keeps_place = [this, given = options.kept.keeps_place](Vertex v) {
-        return shell.fixed[v] != 0 || shell.script[v] != 0 || kept_vertices[v] != 0 || lips.has_twin(v) ||
+        return shell.fixed[v] != 0 || shell.script[v] != 0 || shell.kept[v] != 0 || lips.has_twin(v) ||
                exemptions.has(v) || overlaps_collider(v) || is_held_alone(v) || given(v);
     };
     all.kept.is_line = [this, given = options.kept.is_line](Edge edge) {
-        return kept_edges[edge] != 0 || given(edge);
+        return shell.edge_kept[edge] != 0 || given(edge);
     };
     return all;
 }
@@ -93,12 +82,10 @@ std::optional<BreakableShell::Advanced> BreakableShell::advance(Vertex tip, cons
 }
 
 ShellChange BreakableShell::reshape(const TopologyChange& topology) {
-    ShellChange change = shell_change(topology, shell);
+    ShellChange change = shell_change(mesh(), topology, shell);
     const OldSides old(mesh(), topology, shell);
     add_footprints(faces_of(change.changed), &old, -1);
     rest_ancestry.follow(mesh(), topology);
-    inherit_kept(topology);
-    inherit_factors(topology);
     Positions position = shell.position, velocity = shell.velocity;
     follow(shell, change);
     for (const auto* vertices : {&topology.vertices, &topology.moved})
@@ -117,27 +104,8 @@ ShellChange BreakableShell::reshape(const TopologyChange& topology) {
     return change;
 }
 
-void BreakableShell::inherit_kept(const TopologyChange& topology) {
-    for (const Born<Vertex>& vertex : topology.vertices)
-        kept_vertices.push_back(vertex.is_copy() ? kept_vertices[vertex.parent()] : 0);
-    for (const Born<Edge>& edge : topology.edges)
-        kept_edges.push_back(edge.is_copy() ? kept_edges[edge.parent()] : 0);
-}
-
-void BreakableShell::inherit_factors(const TopologyChange& topology) {
-    const OldSides old(mesh(), topology, shell);
-    for (std::vector<double>* factors : {&strength_factors, &toughness_factors}) {
-        std::vector<double> now = *factors;
-        for (const Edge edge : topology.flipped) now[edge] = mean_factor(old.around(edge), *factors);
-        for (const Born<Edge>& edge : topology.edges)
-            now.push_back(edge.is_copy() ? (*factors)[edge.parent()]
-                                         : mean_factor(old.around(edge.element), *factors));
-        *factors = std::move(now);
-    }
-}
-
 void BreakableShell::forbid(Edge edge) {
-    strength_factors[edge] = shell.edge_strength[edge] = never;
+    shell.edge_strength_factor[edge] = shell.edge_strength[edge] = never;
 }
 
 void BreakableShell::reshape_faces(const ShellChange& change) {
@@ -149,13 +117,12 @@ void BreakableShell::reshape_faces(const ShellChange& change) {
         for (const auto& [parent, share] : shares) mass += share * shell.face_mass[parent];
         const TrianglePositions rest =
             columns(shell.rest, face_vertices(mesh(), Face(static_cast<unsigned>(face))));
-        axes.push_back(in_plane(face_axes[shares.front().element], rest));
+        axes.push_back(in_plane(shell.face_axis[shares.front().element], rest));
     }
-    face_axes.resize(shell.triangles.size(), Vector3d::Zero());
     for (std::size_t i = 0; i < change.reshaped.size(); ++i) {
         const Face face(static_cast<unsigned>(change.reshaped[i].element));
         shell.face_mass[face] = masses[i];
-        face_axes[face] = axes[i];
+        shell.face_axis[face] = axes[i];
         shell.triangles[face] = stencil(face);
         for (const Index vertex : shell.triangles[face].vertices)
             corners.insert(Vertex(static_cast<unsigned>(vertex)));

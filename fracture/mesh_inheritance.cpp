@@ -28,6 +28,18 @@ std::vector<ShellChange::Weight> weights_of(const std::vector<ShellChange::Chang
     return weights;
 }
 
+std::vector<ShellChange::CrossingEdge> crossing_edges(const TopologyChange& topology, const OldSides& old) {
+    std::vector<ShellChange::CrossingEdge> crossing;
+    const auto add = [&](Edge edge) {
+        crossing.push_back({static_cast<Index>(edge), {}});
+        for (const Edge side : old.around(edge)) crossing.back().around.push_back(static_cast<Index>(side));
+    };
+    for (const Edge edge : topology.flipped) add(edge);
+    for (const Born<Edge>& edge : topology.edges)
+        if (!edge.is_copy()) add(edge.element);
+    return crossing;
+}
+
 }  // namespace
 
 std::array<Index, 3> face_vertices(const Mesh& mesh, Face face) {
@@ -40,7 +52,7 @@ std::array<Index, 3> face_vertices(const Mesh& mesh, Face face) {
     return vertices;
 }
 
-ShellChange shell_change(const TopologyChange& topology, const Shell& before) {
+ShellChange shell_change(const Mesh& mesh, const TopologyChange& topology, const Shell& before) {
     ShellChange change{.vertices = heirs(topology.vertices),
                        .edges = heirs(topology.edges),
                        .faces = heirs(topology.faces),
@@ -54,6 +66,7 @@ ShellChange shell_change(const TopologyChange& topology, const Shell& before) {
             change.reshaped.back().parents.push_back({static_cast<Index>(parent), share});
     }
     change.weights = weights_of(change.changed, before);
+    change.crossing = crossing_edges(topology, OldSides(mesh, topology, before));
     return change;
 }
 

@@ -11,9 +11,9 @@ namespace sherd {
 /// Corners of a face in the order of Shell::triangles.
 std::array<Index, 3> face_vertices(const Mesh& mesh, Face face);
 
-/// The change of a shell that corresponds to a change of the mesh. before: the shell, which has not followed
-/// yet. Reshaped hinges are not included.
-ShellChange shell_change(const TopologyChange& topology, const Shell& before);
+/// The change of a shell that corresponds to a change of the mesh. mesh: after the change; before: the shell,
+/// which has not followed yet. Reshaped hinges are not included.
+ShellChange shell_change(const Mesh& mesh, const TopologyChange& topology, const Shell& before);
 
 /// The edges of changed faces before the change.
 class OldSides {

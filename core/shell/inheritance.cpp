@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/shell/inheritance.h"
 
+#include <cmath>
+
 namespace sherd {
 namespace {
 
@@ -38,6 +40,22 @@ void append(VectorXd& values, std::span<const Heir> heirs) {
     values.conservativeResize(next + static_cast<Eigen::Index>(heirs.size()));
     for (const Heir& heir : heirs)
         values[next++] = mean(heir.parents, 0.0, [&](Index parent) { return values[parent]; });
+}
+
+void follow_around(std::vector<double>& of_edges, const ShellChange& change, double missing) {
+    std::vector<double> crossing;  // from the values before the change
+    for (const auto& [edge, around] : change.crossing) {
+        double sum = 0;
+        int count = 0;
+        for (const Index other : around)
+            if (std::isfinite(of_edges[other])) {
+                sum += of_edges[other];
+                ++count;
+            }
+        crossing.push_back(count > 0 ? sum / count : missing);
+    }
+    append(of_edges, change.edges, Inheritance::copies, missing);
+    for (std::size_t i = 0; i < crossing.size(); ++i) of_edges[change.crossing[i].edge] = crossing[i];
 }
 
 void follow_moves(VectorXd& of_vertices, std::span<const Heir> moved) {

@@ -14,6 +14,8 @@ namespace sherd {
 enum class Inheritance {
     common,  ///< the parents' value if all have the same
     first,   ///< the value of the first parent
+    copies,  ///< the value of the parent, of copies only
+    around,  ///< copies as above, and other edges the mean of the edges around them: see follow_around()
     none     ///< nothing: the code that makes the change sets the value
 };
 
@@ -29,6 +31,10 @@ void follow(Positions& of_vertices, const ShellChange& change);
 /// Gives moved vertices the mean of their parents' values.
 void follow_moves(VectorXd& of_vertices, std::span<const Heir> moved);
 
+/// Lets numbers of edges follow a change: copies have their parent's, and edges across old faces the mean of
+/// the finite ones of the edges around these; `missing` if there is none.
+void follow_around(std::vector<double>& of_edges, const ShellChange& change, double missing);
+
 /// Appends the values of new elements to a list by `rule`; `missing` for an element that inherits nothing.
 template <class T>
 void append(std::vector<T>& values, std::span<const Heir> heirs, Inheritance rule, const T& missing) {
@@ -41,8 +47,10 @@ void append(std::vector<T>& values, std::span<const Heir> heirs, Inheritance rul
             return parents.size() == 1;
     };
     for (const auto& [element, parents] : heirs) {
-        const bool inherits =
-            !parents.empty() && rule != Inheritance::none && (rule == Inheritance::first || agree(parents));
+        const bool inherits = rule == Inheritance::copies
+                                  ? parents.size() == 1
+                                  : !parents.empty() && rule != Inheritance::none &&
+                                        (rule == Inheritance::first || agree(parents));
         values.push_back(inherits ? T(values[parents.front().element]) : missing);
     }
 }

@@ -25,14 +25,26 @@ void resize(std::vector<T>& values, Index count, Inheritance, const T& missing) 
 
 }  // namespace
 
+void Shell::visit_state(StateVisitor& visit) {
+    auto& [rest, position, velocity, mass, thickness, young, footprint, fixed, script, guide, held,
+           vertex_sheet, kept, triangles, face_mass, face_sheet, face_axis, edge_hinge, edge_strength,
+           edge_toughness, edge_strength_factor, edge_toughness_factor, edge_kept, hinges, hinge_edge, twins,
+           near, start_depths, lips, guides, motions, holds, uneven] = *this;
+    std::size_t colliders = start_depths.size();
+    visit(colliders);
+    start_depths.resize(colliders);
+    const auto visit_list = [&](auto& values, const auto&...) { visit(values); };
+    visit_vertices(*this, visit_list);
+    visit_edges(*this, visit_list);
+    visit_faces(*this, visit_list);
+    visit(hinges, hinge_edge, twins, near, lips);
+}
+
 void resize_vertices(Shell& shell, Index count) {
     visit_vertices(shell, [count](auto& values, const auto&... rule) { resize(values, count, rule...); });
 }
 
 void follow(Shell& shell, const ShellChange& change) {
-    const auto append_to = [](const std::vector<Heir>& heirs) {
-        return [&heirs](auto& values, const auto&... rule) { append(values, heirs, rule...); };
-    };
     visit_vertices(shell, [&](auto& values, const auto&... rule) {
         if constexpr (std::is_same_v<decltype(values), Positions&>)
             follow(values, change);
@@ -40,8 +52,12 @@ void follow(Shell& shell, const ShellChange& change) {
             append(values, change.vertices, rule...);
     });
     if (shell.uneven) follow_moves(shell.thickness, change.moved);
-    visit_edges(shell, append_to(change.edges));
-    visit_faces(shell, append_to(change.faces));
+    visit_edges(shell, [&](auto& values, Inheritance rule, const auto& missing) {
+        if constexpr (std::is_same_v<decltype(values), std::vector<double>&>)
+            if (rule == Inheritance::around) return follow_around(values, change, missing);
+        append(values, change.edges, rule, missing);
+    });
+    visit_faces(shell, [&](auto& values, const auto&... rule) { append(values, change.faces, rule...); });
 }
 
 Index remove_hinge_of(Shell& shell, Index edge) {

@@ -72,14 +72,21 @@ struct Shell {
     std::vector<Index> held;    ///< [V] 0, or the number, from 1, of the vertex's entry in `holds`
     std::vector<Index>
         vertex_sheet;  ///< [V] number of the sheet that the vertex belongs to, also after breaking
+    std::vector<char>
+        kept;  ///< [V] 1 where remeshing must not move the vertex, besides those held and cracked
 
     std::vector<TriangleStencil> triangles;  ///< [F]
     std::vector<double> face_mass;           ///< [F] kg
     std::vector<Index> face_sheet;           ///< [F] number of the sheet that the face belongs to
+    /// [F] first material axis at rest, in the face's plane; zero where nothing depends on it.
+    std::vector<Vector3d> face_axis;
 
     std::vector<Index> edge_hinge;       ///< [E] number of the edge's hinge, -1 when it has none
     std::vector<double> edge_strength;   ///< [E] measure at which the hinge fails; infinite: never
     std::vector<double> edge_toughness;  ///< [E] Pa m^0.5, toughness along the edge; 0: none
+    /// [E] factors on strength and toughness; infinite: the edge cannot fail.
+    std::vector<double> edge_strength_factor, edge_toughness_factor;
+    std::vector<char> edge_kept;  ///< [E] 1 where remeshing must keep the edge as a line
 
     std::vector<HingeStencil> hinges;  ///< [H]
     std::vector<Index> hinge_edge;     ///< [H] edge of each hinge
@@ -99,14 +106,7 @@ struct Shell {
     bool uneven = false;                   ///< whether the thickness of a sheet differs from place to place
 
     /// Supports are given at the start, and no part of the state.
-    void visit_state(StateVisitor& visit) {
-        auto& [rest, position, velocity, mass, thickness, young, footprint, fixed, script, guide, held,
-               vertex_sheet, triangles, face_mass, face_sheet, edge_hinge, edge_strength, edge_toughness,
-               hinges, hinge_edge, twins, near, start_depths, lips, guides, motions, holds, uneven] = *this;
-        visit(rest, position, velocity, mass, thickness, young, footprint, fixed, script, guide, held,
-              vertex_sheet, triangles, face_mass, face_sheet, edge_hinge, edge_strength, edge_toughness,
-              hinges, hinge_edge, twins, near, start_depths, lips);
-    }
+    void visit_state(StateVisitor& visit);
 };
 
 /// Calls visit(attribute) for every array, and visit(attribute, rule, missing) for every list, that has an
@@ -125,6 +125,7 @@ void visit_vertices(S& shell, Visit visit) {
     visit(shell.guide, Inheritance::common, char(0));
     visit(shell.held, Inheritance::common, Index(0));
     visit(shell.vertex_sheet, Inheritance::first, Index(0));
+    visit(shell.kept, Inheritance::copies, char(0));
     for (auto& start : shell.start_depths) {
         visit(start.depth);
         visit(start.unseen, Inheritance::first, char(0));
@@ -137,6 +138,9 @@ void visit_edges(S& shell, Visit visit) {
     visit(shell.edge_hinge, Inheritance::none, Index(-1));
     visit(shell.edge_strength, Inheritance::first, std::numeric_limits<double>::infinity());
     visit(shell.edge_toughness, Inheritance::first, 0.0);
+    visit(shell.edge_strength_factor, Inheritance::around, std::numeric_limits<double>::infinity());
+    visit(shell.edge_toughness_factor, Inheritance::around, std::numeric_limits<double>::infinity());
+    visit(shell.edge_kept, Inheritance::copies, char(0));
 }
 
 /// Visits the attributes of faces in the same way. The code that makes the change sets their corners and
@@ -146,6 +150,7 @@ void visit_faces(S& shell, Visit visit) {
     visit(shell.triangles, Inheritance::first, TriangleStencil());
     visit(shell.face_mass, Inheritance::none, 0.0);
     visit(shell.face_sheet, Inheritance::first, Index(0));
+    visit(shell.face_axis, Inheritance::none, Vector3d(Vector3d::Zero()));
 }
 
 /// Gives the vertices' arrays `count` entries; new ones are zero.

@@ -22,6 +22,11 @@ Shell marked_sheet() {
     shell.edge_hinge = {0, -1, -1, -1, -1};
     shell.edge_strength = {5, 6, 7, 8, 9};
     shell.edge_toughness = {15, 16, 17, 18, 19};
+    shell.edge_strength_factor = {1, 2, 3, 4, std::numeric_limits<double>::infinity()};
+    shell.edge_toughness_factor = {5, 4, 3, 2, 1};
+    shell.edge_kept = {0, 0, 0, 1, 0};
+    shell.kept = {0, 1, 0, 0};
+    shell.face_axis = {Vector3d::UnitX(), Vector3d::UnitY()};
     shell.hinge_edge = {0};
     shell.face_mass = {1, 2};
     shell.face_sheet = {7, 7};
@@ -44,6 +49,8 @@ TEST(ShellChange, ACopyHasAllThatItsParentHas) {
     });
     EXPECT_EQ(shell.edge_strength, (std::vector<double>{5, 6, 7, 8, 9, 8}));
     EXPECT_EQ(shell.edge_toughness.back(), 18);
+    EXPECT_EQ(shell.edge_strength_factor.back(), 4);
+    EXPECT_EQ(shell.edge_kept.back(), 1);
     EXPECT_EQ(shell.edge_hinge.back(), -1);
     EXPECT_EQ(shell.triangles[2].vertices, shell.triangles[1].vertices);
     EXPECT_EQ(shell.face_sheet, (std::vector<Index>{7, 7, 7}));
@@ -63,6 +70,20 @@ TEST(ShellChange, AVertexBetweenOthersHasTheirMean) {
     EXPECT_EQ(shell.fixed[5], 0) << "one of its parents is free";
     EXPECT_EQ(shell.guide[5], 0);
     EXPECT_EQ(shell.vertex_sheet[5], 7);
+    EXPECT_EQ(shell.kept[4], 0) << "it is a vertex of its own";
+}
+
+// An edge across faces that the edges around cannot bear would break first, or never.
+TEST(ShellChange, AnEdgeAcrossFacesHasTheMeanFactorOfTheFiniteOnesAroundIt) {
+    Shell shell = marked_sheet();
+    ShellChange change{.edges = {{5, {{1, 1}}}, {6, {}}, {7, {}}}};
+    change.crossing = {{0, {0, 1}}, {6, {0, 3, 4}}, {7, {4}}};
+    follow(shell, change);
+    EXPECT_EQ(shell.edge_strength_factor[0], 1.5) << "of the factors before";
+    EXPECT_EQ(shell.edge_strength_factor[5], 2);
+    EXPECT_EQ(shell.edge_strength_factor[6], 2.5);
+    EXPECT_EQ(shell.edge_strength_factor[7], std::numeric_limits<double>::infinity());
+    EXPECT_EQ(shell.edge_kept[6], 0);
 }
 
 // Inserted elements may be parents of others in the same change, as when an edge is split and then opened.
