@@ -68,6 +68,123 @@ struct Snapshot {
     FaceFields fields;  ///< fields that were asked for
 };
 
+/// Elements of a snapshot; an array has an entry for each of one kind.
+enum class Elements { vertices, faces, edges, rest_vertices };
+
+/// Meaning of an array's numbers as indices.
+enum class Names { nothing, vertices, rest_vertices, fragments, sheets, unbroken_vertices, unbroken_faces };
+
+enum class Presence {
+    always,
+    may_be_empty,  ///< stored even if it is empty
+    if_any         ///< not stored if it is empty
+};
+
+/// Row of the table of a snapshot's arrays.
+struct SnapshotArray {
+    const char* name;  ///< dataset of a frame in recordings
+    Elements entries;
+    const char* unit = "1";
+    const char* meaning = "";  ///< sentence in recordings
+    Names names = Names::nothing;
+    Presence presence = Presence::always;
+    bool shown = false;  ///< whether the index for ParaView has it
+};
+
+/// Calls visit(SnapshotArray, array) for each array of a snapshot, but not of its mesh at rest and its
+/// fields.
+template <class S, class Visit>
+void visit_arrays(S& snapshot, const Visit& visit) {
+    using A = SnapshotArray;
+    visit(A{.name = "vertex/position", .entries = Elements::vertices, .unit = "m"}, snapshot.position);
+    visit(A{.name = "vertex/velocity", .entries = Elements::vertices, .unit = "m/s", .shown = true},
+          snapshot.velocity);
+    visit(A{.name = "vertex/mass", .entries = Elements::vertices, .unit = "kg"}, snapshot.mass);
+    visit(A{.name = "vertex/original",
+            .entries = Elements::vertices,
+            .meaning = "vertex that this one is a copy of, or its own number: a row of rest/position",
+            .names = Names::rest_vertices},
+          snapshot.original);
+    visit(A{.name = "face/vertices",
+            .entries = Elements::faces,
+            .meaning = "the three corners, as rows of vertex/*",
+            .names = Names::vertices},
+          snapshot.faces);
+    visit(A{.name = "face/fragment",
+            .entries = Elements::faces,
+            .meaning = "number of the piece, which lasts: see /events/fragment",
+            .names = Names::fragments,
+            .shown = true},
+          snapshot.face_fragment);
+    visit(A{.name = "face/sheet",
+            .entries = Elements::faces,
+            .meaning = "row of /rest/sheet_names",
+            .names = Names::sheets,
+            .shown = true},
+          snapshot.face_sheet);
+    visit(A{.name = "edge/vertices",
+            .entries = Elements::edges,
+            .meaning = "the two end points, as rows of vertex/*",
+            .names = Names::vertices},
+          snapshot.edges);
+    visit(
+        A{.name = "edge/state",
+          .entries = Elements::edges,
+          .meaning = "0 interior (carries a hinge), 1 fractured interior (failed, still closed), 2 boundary",
+          .shown = true},
+        snapshot.edge_state);
+    visit(A{.name = "edge/strain",
+            .entries = Elements::edges,
+            .unit = "1/m",
+            .meaning = "hinge strain, signed; 0 where there is no hinge",
+            .shown = true},
+          snapshot.edge_strain);
+    visit(A{.name = "edge/held",
+            .entries = Elements::edges,
+            .meaning = "share of what held the edge together that still does; 0: nothing, or unbroken",
+            .presence = Presence::if_any},
+          snapshot.edge_held);
+}
+
+/// Calls visit(SnapshotArray, array) for each array of a mesh at rest, but not of its look.
+template <class R, class Visit>
+void visit_rest_arrays(R& rest, const Visit& visit) {
+    using A = SnapshotArray;
+    visit(A{.name = "rest/position", .entries = Elements::rest_vertices, .unit = "m"}, rest.position);
+    visit(A{.name = "rest/faces",
+            .entries = Elements::faces,
+            .meaning = "the three corners, as rows of position",
+            .names = Names::rest_vertices},
+          rest.faces);
+    visit(A{.name = "rest/area", .entries = Elements::faces, .unit = "m^2", .meaning = "of each face"},
+          rest.area);
+    visit(A{.name = "rest/thickness",
+            .entries = Elements::faces,
+            .unit = "m",
+            .meaning = "of each face",
+            .presence = Presence::may_be_empty},
+          rest.thickness);
+    visit(A{.name = "rest/vertex_parents",
+            .entries = Elements::rest_vertices,
+            .meaning = "vertices of the unbroken mesh (/rest) between which it lies",
+            .names = Names::unbroken_vertices},
+          rest.vertex_parents);
+    visit(A{.name = "rest/vertex_weights",
+            .entries = Elements::rest_vertices,
+            .meaning = "shares of vertex_parents, which sum to 1"},
+          rest.vertex_weights);
+    visit(A{.name = "rest/face_parent",
+            .entries = Elements::faces,
+            .meaning = "face of the unbroken mesh (/rest) that it is a part of",
+            .names = Names::unbroken_faces},
+          rest.face_parent);
+    visit(A{.name = "rest/face_mixed",
+            .entries = Elements::faces,
+            .meaning = "1: has parts of other faces of /rest, too",
+            .presence = Presence::if_any},
+          rest.face_mixed);
+}
+
 /// Returns the rest mesh of a mesh that is its own unfractured mesh.
 RestMesh unbroken_mesh(Positions position, std::vector<std::array<Index, 3>> faces, std::vector<double> area,
                        std::vector<double> thickness);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <memory>
 
 #include "app/export/export_clip.h"
@@ -26,6 +27,19 @@ std::vector<Colour> colours(const TriangleSheet& sheet, const SplitPoints& split
     if (sheet.look.face_colour.empty()) return colours;
     for (const auto& [triangle, corner] : split.corners) colours.push_back(sheet.look.face_colour[triangle]);
     return colours;
+}
+
+/// Adds attributes of vertices that are plain numbers, with capitals as in glTF.
+void add_numbers(const SurfaceLook& look, const SplitPoints& split, GlbNode& node) {
+    visit_surface_attributes([&]<class Element, class Value, Inherits rule>(
+                                 const Attribute<Element, Value, rule>& attribute) {
+        if constexpr (std::same_as<Element, Vertex> && std::same_as<Value, double>)
+            if (const std::vector<double>& list = look.*attribute.list; !list.empty()) {
+                std::string name = attribute.vtp;
+                std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::toupper(c); });
+                node.numbers[name] = gathered(list, split.points);
+            }
+    });
 }
 
 std::vector<Vector3d> moved(const std::vector<Vector3d>& points, const Eigen::Isometry3d& motion) {
@@ -111,6 +125,7 @@ void Animation::add_nodes(GlbScene& scene) {
         if (!parts.back().look.texture.empty())
             node.texture = at_points(split.back(), parts.back().look.texture);
         node.colour = colours(parts.back(), split.back());
+        add_numbers(parts.back().look, split.back(), node);
         scene.nodes.push_back(node);
     }
 }

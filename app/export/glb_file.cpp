@@ -36,6 +36,7 @@ class Model {
     int add_vectors(const std::vector<Vector3d>& vectors, bool bounds);
     int add_texture(const std::vector<Eigen::Vector2d>& texture);
     int add_colours(const std::vector<Colour>& colours);
+    int add_numbers(const std::vector<double>& numbers);
     int add_material(const std::string& name, bool double_sided, const Eigen::Vector3f& colour);
     int obstacle_material();
     int sheet_material();
@@ -211,6 +212,12 @@ int Model::add_colours(const std::vector<Colour>& colours) {
     return add_rows(rows, TINYGLTF_TYPE_VEC4, false, TINYGLTF_TARGET_ARRAY_BUFFER);
 }
 
+int Model::add_numbers(const std::vector<double>& numbers) {
+    Rows rows;
+    for (const double number : numbers) rows.push_back({number});
+    return add_rows(rows, TINYGLTF_TYPE_SCALAR, false, TINYGLTF_TARGET_ARRAY_BUFFER);
+}
+
 std::vector<Vector3d> differences(const std::vector<Vector3d>& to, const std::vector<Vector3d>& from) {
     std::vector<Vector3d> result;
     for (std::size_t i = 0; i < to.size(); ++i) result.push_back(to[i] - from[i]);
@@ -226,6 +233,7 @@ tinygltf::Primitive Model::surface(const GlbNode& node) {
     primitive.attributes["NORMAL"] = add_vectors(first.normals, false);
     if (!node.texture.empty()) primitive.attributes["TEXCOORD_0"] = add_texture(node.texture);
     if (!node.colour.empty()) primitive.attributes["COLOR_0"] = add_colours(node.colour);
+    for (const auto& [name, values] : node.numbers) primitive.attributes["_" + name] = add_numbers(values);
     for (std::size_t i = 1; i < node.shapes.size(); ++i)
         primitive.targets.push_back(
             {{"POSITION", add_vectors(differences(node.shapes[i].points, first.points), true)},

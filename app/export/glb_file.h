@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -21,9 +22,11 @@ struct GlbNode {
     std::string name;
     bool obstacle = false;  ///< whether it has the material of obstacles instead of that of sheets
     std::vector<std::array<Index, 3>> triangles = {};
-    std::vector<FaceMaterial> material = {};      ///< material of each triangle; empty: none
-    std::vector<Eigen::Vector2d> texture = {};    ///< [P] texture coordinates, v upwards; empty: none
-    std::vector<Colour> colour = {};              ///< [P]; empty: none
+    std::vector<FaceMaterial> material = {};    ///< material of each triangle; empty: none
+    std::vector<Eigen::Vector2d> texture = {};  ///< [P] texture coordinates, v upwards; empty: none
+    std::vector<Colour> colour = {};            ///< [P]; empty: none
+    /// Further numbers of the points, [P] each, by their names, to which glTF adds an underscore.
+    std::map<std::string, std::vector<double>> numbers = {};
     std::vector<GlbShape> shapes = {};            ///< [1] or one for each time
     std::vector<Eigen::Isometry3d> motions = {};  ///< [1] or one for each time
 };

@@ -24,28 +24,16 @@ bool any_outside(const std::vector<std::array<Index, N>>& rows, std::size_t end)
     });
 }
 
-struct Length {
-    const char* name;
-    std::size_t rows;
-};
-
-/// Returns a message if an array is not as long as the first one, or "".
-std::string difference(std::initializer_list<Length> arrays) {
-    for (const Length& array : arrays)
-        if (array.rows != arrays.begin()->rows)
-            return fmt::format("{} and {} differ in length", arrays.begin()->name, array.name);
-    return "";
-}
-
 std::string first_of(std::initializer_list<std::string> faults) {
     const auto found = std::ranges::find_if(faults, [](const std::string& fault) { return !fault.empty(); });
     return found == faults.end() ? "" : *found;
 }
 
-/// Returns a message if an index of the array is not below `end`, or "".
-template <class Numbers>
-std::string outside(const char* name, const Numbers& numbers, std::size_t end, const char* what) {
-    return any_outside(numbers, end) ? fmt::format("{} names a {} that does not exist", name, what) : "";
+std::size_t rows_of(const auto& values) {
+    if constexpr (requires { values.cols(); } && !std::same_as<std::decay_t<decltype(values)>, VectorXd>)
+        return static_cast<std::size_t>(values.cols());
+    else
+        return static_cast<std::size_t>(values.size());
 }
 
 /// Returns the first fault of a look, or "". faces, vertices: their numbers at rest.
@@ -62,28 +50,70 @@ std::string look_fault(const SurfaceLook& look, std::size_t faces, std::size_t v
     return fault;
 }
 
-std::string length_fault(const Snapshot& s) {
-    const RestMesh& rest = s.rest;
-    return first_of(
-        {difference({{"vertex/position", static_cast<std::size_t>(s.position.cols())},
-                     {"vertex/velocity", static_cast<std::size_t>(s.velocity.cols())},
-                     {"vertex/mass", static_cast<std::size_t>(s.mass.size())},
-                     {"vertex/original", s.original.size()}}),
-         difference({{"face/vertices", s.faces.size()},
-                     {"face/fragment", s.face_fragment.size()},
-                     {"face/sheet", s.face_sheet.size()},
-                     {"rest/faces", rest.faces.size()},
-                     {"rest/area", rest.area.size()},
-                     {"rest/thickness", rest.thickness.empty() ? s.faces.size() : rest.thickness.size()},
-                     {"rest/face_parent", rest.face_parent.size()},
-                     {"rest/face_mixed", rest.face_mixed.empty() ? s.faces.size() : rest.face_mixed.size()}}),
-         difference({{"edge/vertices", s.edges.size()},
-                     {"edge/state", s.edge_state.size()},
-                     {"edge/strain", s.edge_strain.size()},
-                     {held_edges, s.edge_held.empty() ? s.edges.size() : s.edge_held.size()}}),
-         difference({{"rest/position", static_cast<std::size_t>(rest.position.cols())},
-                     {"rest/vertex_parents", rest.vertex_parents.size()},
-                     {"rest/vertex_weights", rest.vertex_weights.size()}})});
+/// Numbers of elements that a snapshot has, by its first array of each kind, and that its indices may name.
+struct Counts {
+    Counts(const Snapshot& s, std::size_t unbroken_vertices)
+        : vertices(static_cast<std::size_t>(s.position.cols())),
+          rest_vertices(static_cast<std::size_t>(s.rest.position.cols())),
+          faces(s.faces.size()),
+          edges(s.edges.size()),
+          unbroken_vertices(unbroken_vertices),
+          unbroken_faces(s.rest.unbroken_faces.size()) {}
+
+    /// The first array of a kind, and its length.
+    std::pair<const char*, std::size_t> first(Elements entries) const {
+        switch (entries) {
+            case Elements::vertices:
+                return {"vertex/position", vertices};
+            case Elements::faces:
+                return {"face/vertices", faces};
+            case Elements::edges:
+                return {"edge/vertices", edges};
+            case Elements::rest_vertices:
+                break;
+        }
+        return {"rest/position", rest_vertices};
+    }
+    /// What indices name, and the end of the numbers that exist.
+    std::pair<const char*, std::size_t> named(Names names) const {
+        switch (names) {
+            case Names::vertices:
+                return {"vertex", vertices};
+            case Names::rest_vertices:
+                return {"vertex", rest_vertices};
+            case Names::unbroken_vertices:
+                return {"vertex", unbroken_vertices};
+            case Names::unbroken_faces:
+                return {"face", unbroken_faces};
+            case Names::sheets:
+                return {"sheet", faces};
+            case Names::fragments:
+            case Names::nothing:
+                break;
+        }
+        return {"fragment", faces};
+    }
+
+    std::size_t vertices, rest_vertices, faces, edges, unbroken_vertices, unbroken_faces;
+};
+
+/// Calls visit(SnapshotArray, array) for the arrays of a snapshot and of its mesh at rest.
+template <class Visit>
+void visit_all_arrays(const Snapshot& s, const Visit& visit) {
+    visit_arrays(s, visit);
+    visit_rest_arrays(s.rest, visit);
+}
+
+std::string length_fault(const Snapshot& s, const Counts& counts) {
+    std::string fault;
+    visit_all_arrays(s, [&](const SnapshotArray& array, const auto& values) {
+        const auto [name, rows] = counts.first(array.entries);
+        const std::size_t found = rows_of(values);
+        const bool is_left_out = found == 0 && array.presence != Presence::always;
+        if (fault.empty() && found != rows && !is_left_out)
+            fault = fmt::format("{} and {} differ in length", name, array.name);
+    });
+    return fault;
 }
 
 /// Returns a message if a field of faces, where a frame has it, is not as long as the faces, or "".
@@ -96,20 +126,21 @@ std::string field_fault(const Snapshot& s) {
     return fault;
 }
 
-std::string number_fault(const Snapshot& s, std::size_t unbroken_vertices) {
-    const auto vertices = static_cast<std::size_t>(s.position.cols()),
-               rest_vertices = static_cast<std::size_t>(s.rest.position.cols());
+std::string number_fault(const Snapshot& s, const Counts& counts) {
     if (s.faces.size() < s.rest.unbroken_faces.size())
         return "face/vertices has fewer faces than /rest/faces";
-    return first_of({outside("face/vertices", s.faces, vertices, "vertex"),
-                     outside("edge/vertices", s.edges, vertices, "vertex"),
-                     outside("vertex/original", s.original, rest_vertices, "vertex"),
-                     outside("face/fragment", s.face_fragment, s.faces.size(), "fragment"),
-                     outside("face/sheet", s.face_sheet, s.faces.size(), "sheet"),
-                     outside("rest/faces", s.rest.faces, rest_vertices, "vertex"),
-                     outside("rest/vertex_parents", s.rest.vertex_parents, unbroken_vertices, "vertex"),
-                     outside("rest/face_parent", s.rest.face_parent, s.rest.unbroken_faces.size(), "face"),
-                     outside("/rest/faces", s.rest.unbroken_faces, unbroken_vertices, "vertex")});
+    std::string fault;
+    const auto check = [&](const char* name, Names names, const auto& values) {
+        const auto [what, end] = counts.named(names);
+        if (fault.empty() && any_outside(values, end))
+            fault = fmt::format("{} names a {} that does not exist", name, what);
+    };
+    visit_all_arrays(s, [&](const SnapshotArray& array, const auto& values) {
+        if constexpr (requires { any_outside(values, 0); })
+            if (array.names != Names::nothing) check(array.name, array.names, values);
+    });
+    check("/rest/faces", Names::unbroken_vertices, s.rest.unbroken_faces);
+    return fault;
 }
 
 constexpr double weight_tolerance = 1e-9;
@@ -194,15 +225,16 @@ RestMesh unbroken_mesh(const RecordingHeader& header) {
 }
 
 std::string inconsistency(const Snapshot& s, std::size_t unbroken_vertices) {
+    const Counts counts(s, unbroken_vertices);
     if (std::string fault = first_of(
-            {length_fault(s), field_fault(s), number_fault(s, unbroken_vertices),
+            {length_fault(s, counts), field_fault(s), number_fault(s, counts),
              look_fault(s.rest.look, s.faces.size(), static_cast<std::size_t>(s.rest.position.cols()))});
         !fault.empty())
         return fault;
     if (std::ranges::any_of(s.edge_state, [](EdgeState state) { return state > EdgeState::boundary; }))
         return "edge/state has an unknown state";
     if (std::ranges::any_of(s.edge_held, [](double share) { return !(share >= 0 && share <= 1); }))
-        return fmt::format("{} has what is no share", held_edges);
+        return "edge/held has what is no share";
     return ancestry_fault(s);
 }
 

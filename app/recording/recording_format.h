@@ -20,24 +20,8 @@ inline constexpr std::int64_t version = 4;
 /// Oldest version that can be read: its mesh at rest does not change. Version 3 lacks crack tips.
 inline constexpr std::int64_t oldest_version = 2;
 
-/// Calls visit(dataset name, meaning, array) for every array of a frame.
-template <class S, class Visit>
-void visit_arrays(S& snapshot, Visit visit) {
-    visit("vertex/position", {"m"}, snapshot.position);
-    visit("vertex/velocity", {"m/s"}, snapshot.velocity);
-    visit("vertex/mass", {"kg"}, snapshot.mass);
-    visit("vertex/original",
-          {"1", "vertex that this one is a copy of, or its own number: a row of rest/position"},
-          snapshot.original);
-    visit("face/vertices", {"1", "the three corners, as rows of vertex/*"}, snapshot.faces);
-    visit("face/fragment", {"1", "number of the piece, which lasts: see /events/fragment"},
-          snapshot.face_fragment);
-    visit("face/sheet", {"1", "row of /rest/sheet_names"}, snapshot.face_sheet);
-    visit("edge/vertices", {"1", "the two end points, as rows of vertex/*"}, snapshot.edges);
-    visit("edge/state",
-          {"1", "0 interior (carries a hinge), 1 fractured interior (failed, still closed), 2 boundary"},
-          snapshot.edge_state);
-    visit("edge/strain", {"1/m", "hinge strain, signed; 0 where there is no hinge"}, snapshot.edge_strain);
+inline hdf5::Meaning meaning_of(const SnapshotArray& array) {
+    return {array.unit, array.meaning};
 }
 
 /// Calls visit(dataset name, meaning, array, whether the third component is 2 * 01) for every field of faces,
@@ -48,22 +32,6 @@ void visit_field_arrays(F& fields, Visit visit) {
         visit(std::string("face/") + name, {meaning.unit, meaning.description}, values, meaning.twice);
     });
 }
-
-/// Calls visit(dataset name, meaning, array) for every array of a mesh at rest.
-template <class R, class Visit>
-void visit_rest_arrays(R& rest, Visit visit) {
-    visit("position", {"m"}, rest.position);
-    visit("faces", {"1", "the three corners, as rows of position"}, rest.faces);
-    visit("area", {"m^2", "of each face"}, rest.area);
-    visit("thickness", {"m", "of each face"}, rest.thickness);
-    visit("vertex_parents", {"1", "vertices of the unbroken mesh (/rest) between which it lies"},
-          rest.vertex_parents);
-    visit("vertex_weights", {"1", "shares of vertex_parents, which sum to 1"}, rest.vertex_weights);
-    visit("face_parent", {"1", "face of the unbroken mesh (/rest) that it is a part of"}, rest.face_parent);
-}
-
-/// Name of RestMesh::face_mixed in the group of a mesh at rest; absent if empty.
-inline constexpr const char* mixed_faces = "face_mixed";
 
 /// Name of RecordingHeader::rest_axis in the group of the unfractured mesh; absent if empty.
 inline constexpr const char* material_axis = "axis";
@@ -84,9 +52,6 @@ inline std::string names_of(const std::string& attribute) {
 inline std::string definitions_of(const std::string& attribute) {
     return attribute + "_definitions";
 }
-
-/// Name of Snapshot::edge_held, in frames in which an edge opens gradually.
-inline constexpr const char* held_edges = "edge/held";
 
 /// A table with a row for each `Row`: its group, the first version of the format that has it, and
 /// visit(column name, meaning, member) for every column.

@@ -100,14 +100,18 @@ RestMesh read_unbroken_mesh(hid_t file) {
     return unbroken_mesh(header);
 }
 
+/// Returns a function that reads an array of a snapshot from the group of its frame.
+auto array_reader(hid_t frame) {
+    return [frame](const SnapshotArray& array, auto& values) {
+        if (array.presence != Presence::if_any || hdf5::contains(frame, array.name))
+            read_array(frame, array.name, values);
+    };
+}
+
 /// Reads the mesh at rest of a frame.
 RestMesh read_rest(hid_t file, hid_t frame) {
     RestMesh rest;
-    visit_rest_arrays(rest, [&](const char* name, hdf5::Meaning, auto& values) {
-        read_array(frame, std::string("rest/") + name, values);
-    });
-    const std::string mixed = std::string("rest/") + mixed_faces;
-    if (hdf5::contains(frame, mixed)) read_array(frame, mixed, rest.face_mixed);
+    visit_rest_arrays(rest, array_reader(frame));
     read_look(frame, rest.look);
     read_array(file, "rest/faces", rest.unbroken_faces);
     read_array(file, "rest/position", rest.unbroken_position);
@@ -232,9 +236,7 @@ Snapshot Recording::frame(std::size_t number) const {
         const hdf5::Handle group = hdf5::open_group(opened, frame_group(number));
         snapshot.time = hdf5::read_real_attribute(group, "time");
         snapshot.step = hdf5::read_integer_attribute(group, "step");
-        visit_arrays(snapshot,
-                     [&](const char* name, hdf5::Meaning, auto& values) { read_array(group, name, values); });
-        if (hdf5::contains(group, held_edges)) read_array(group, held_edges, snapshot.edge_held);
+        visit_arrays(snapshot, array_reader(group));
         snapshot.fields = read_fields(group);
         snapshot.rest = version < 3 ? read_unbroken_mesh(opened) : read_rest(opened, group);
         const std::size_t unbroken_vertices = hdf5::row_count(opened, "rest/position", 3);

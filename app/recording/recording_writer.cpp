@@ -80,14 +80,18 @@ void write_look(hid_t where, const std::string& group, const SurfaceLook& look) 
     });
 }
 
-void write_rest(hid_t where, const std::string& group, const RestMesh& rest) {
-    visit_rest_arrays(rest, [&](const char* name, hdf5::Meaning meaning, const auto& values) {
-        write_array(where, group + "/" + name, meaning, values);
-    });
-    if (!rest.face_mixed.empty())
-        write_array(where, group + "/" + mixed_faces, {"1", "1: has parts of other faces of /rest, too"},
-                    rest.face_mixed);
-    write_look(where, group, rest.look);
+/// Returns a function that writes an array of a snapshot into the group of its frame.
+auto array_writer(hid_t frame) {
+    return [frame](const SnapshotArray& array, const auto& values) {
+        if (array.presence != Presence::if_any || values.size() > 0)
+            write_array(frame, array.name, meaning_of(array), values);
+    };
+}
+
+/// Writes a mesh at rest into the group `rest` below `where`.
+void write_rest(hid_t where, const RestMesh& rest) {
+    visit_rest_arrays(rest, array_writer(where));
+    write_look(where, "rest", rest.look);
 }
 
 /// Creates the group `path` of a table beside the steps, with the next number in `group`.
@@ -130,7 +134,7 @@ void write_head(hid_t file, const RecordingHeader& header) {
     hdf5::write_attribute(file, "wall_seconds", 0.0);
     hdf5::write_text(file, "scene", header.scene_text);
     hdf5::write_texts(file, "rest/sheet_names", header.sheet_names);
-    write_rest(file, "rest", unbroken_mesh(header));
+    write_rest(file, unbroken_mesh(header));
     if (!header.rest_axis.empty())
         write_array(
             file, std::string("rest/") + material_axis,
@@ -174,18 +178,12 @@ void write_frame(hid_t file, std::size_t number, const Snapshot& snapshot, const
     const hdf5::Handle group = hdf5::create_group(file, frame_group(number));
     hdf5::write_attribute(group, "time", snapshot.time);
     hdf5::write_attribute(group, "step", snapshot.step);
-    visit_arrays(snapshot, [&](const char* name, hdf5::Meaning meaning, const auto& values) {
-        write_array(group, name, meaning, values);
-    });
-    if (!snapshot.edge_held.empty())
-        write_array(group, held_edges,
-                    {"1", "share of what held the edge together that still does; 0: nothing, or unbroken"},
-                    snapshot.edge_held);
+    visit_arrays(snapshot, array_writer(group));
     const VectorXd speed = snapshot.velocity.colwise().norm();
     write_array(group, "vertex/speed", {"m/s"}, speed);
     write_fields(group, snapshot);
     if (same_rest.empty())
-        write_rest(group, "rest", snapshot.rest);
+        write_rest(group, snapshot.rest);
     else
         hdf5::create_link(group, "rest", same_rest);
 }

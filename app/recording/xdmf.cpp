@@ -21,6 +21,13 @@ constexpr const char* integers = "NumberType=\"Int\" Precision=\"4\"";
 constexpr const char* triangles = "TopologyType=\"Triangle\"";
 constexpr const char* bytes = "NumberType=\"UChar\" Precision=\"1\"";
 
+/// XDMF's type of the numbers of a dataset.
+template <class Value>
+const char* number_type() {
+    using Scalar = typename hdf5::Element<Value>::Scalar;
+    return std::same_as<Scalar, double> ? reals : std::same_as<Scalar, std::uint8_t> ? bytes : integers;
+}
+
 /// A frame of a collection, written line by line.
 class Grid {
   public:
@@ -69,27 +76,38 @@ class Grid {
     std::string source;
 };
 
+/// Adds the arrays of some elements that ParaView shows. count: number of the elements.
+void add_shown(Grid& grid, Elements entries, std::size_t count) {
+    const Snapshot types{};
+    visit_arrays(types, [&]<class Array>(const SnapshotArray& array, const Array& values) {
+        if (!array.shown || array.entries != entries) return;
+        const std::string center = entries == Elements::vertices ? "Node" : "Cell";
+        if constexpr (std::same_as<Array, Positions>)
+            grid.attribute(array.name, "Vector", center, reals, fmt::format("{} 3", count));
+        else if constexpr (hdf5::Element<typename Array::value_type>::width == 1)
+            grid.attribute(array.name, "Scalar", center, number_type<typename Array::value_type>(),
+                           std::to_string(count));
+    });
+}
+
 void add_surface(Grid grid, const XdmfFrame& frame) {
     const std::string faces = std::to_string(frame.faces), vertices = std::to_string(frame.vertices);
     grid.topology(triangles, frame.faces, 3, "face/vertices");
     grid.geometry(frame.vertices, "vertex/position");
-    grid.attribute("face/fragment", "Scalar", "Cell", integers, faces);
-    grid.attribute("face/sheet", "Scalar", "Cell", integers, faces);
+    add_shown(grid, Elements::faces, frame.faces);
     for (const std::string& field : frame.fields) {
         grid.attribute("face/" + field, "Vector", "Cell", reals, faces + " 3");
         grid.attribute("face/" + field + principal_suffix, "Matrix", "Cell", reals, faces + " 2");
     }
     grid.attribute("vertex/speed", "Scalar", "Node", reals, vertices);
-    grid.attribute("vertex/velocity", "Vector", "Node", reals, vertices + " 3");
+    add_shown(grid, Elements::vertices, frame.vertices);
     grid.end();
 }
 
 void add_edges(Grid grid, const XdmfFrame& frame) {
-    const std::string edges = std::to_string(frame.edges);
     grid.topology("TopologyType=\"Polyline\" NodesPerElement=\"2\"", frame.edges, 2, "edge/vertices");
     grid.geometry(frame.vertices, "vertex/position");
-    grid.attribute("edge/state", "Scalar", "Cell", bytes, edges);
-    grid.attribute("edge/strain", "Scalar", "Cell", reals, edges);
+    add_shown(grid, Elements::edges, frame.edges);
     grid.end();
 }
 

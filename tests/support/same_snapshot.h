@@ -5,23 +5,25 @@
 
 #include <vector>
 
-#include "app/recording/recording_format.h"
+#include "fracture/snapshot.h"
 
 namespace sherd::test {
 
 /// Calls visit(name, bytes) for every array of a snapshot, always in the same order.
 template <class Visit>
 void visit_arrays_of(const Snapshot& frame, Visit visit) {
-    const auto pass_on = [&](const char* name, hdf5::Meaning, const auto& values) {
+    const auto pass_bytes = [&](const char* name, const auto& values) {
         visit(name, std::vector<char>(reinterpret_cast<const char*>(values.data()),
                                       reinterpret_cast<const char*>(values.data() + values.size())));
     };
-    recording_format::visit_arrays(frame, pass_on);
-    recording_format::visit_rest_arrays(frame.rest, pass_on);
-    pass_on("unbroken faces", {}, frame.rest.unbroken_faces);
-    pass_on(recording_format::held_edges, {}, frame.edge_held);
+    const auto pass_on = [&](const SnapshotArray& array, const auto& values) {
+        pass_bytes(array.name, values);
+    };
+    visit_arrays(frame, pass_on);
+    visit_rest_arrays(frame.rest, pass_on);
+    pass_bytes("unbroken faces", frame.rest.unbroken_faces);
     visit_fields(frame.fields, [&](const char* name, const auto& values, const FieldMeaning&) {
-        pass_on(name, {}, values);
+        pass_bytes(name, values);
     });
 }
 
