@@ -229,10 +229,12 @@ class AttributeColumns {
             const std::vector<std::string> names = ply_names(attribute);
             if (!std::ranges::all_of(names, [&](const auto& name) { return columns.contains(name); })) return;
             std::vector<Value>& list = look.*attribute.list;
+            const std::size_t before = list.size();
             for (std::size_t i = 0; i < names.size(); ++i) {
                 const std::vector<double>& values = columns.at(names[i]).values;
-                list.resize(values.size());
-                for (std::size_t row = 0; row < values.size(); ++row) numbers_of(list[row])[i] = values[row];
+                list.resize(before + values.size());
+                for (std::size_t row = 0; row < values.size(); ++row)
+                    numbers_of(list[before + row])[i] = values[row];
             }
         });
     }

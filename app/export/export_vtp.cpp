@@ -89,7 +89,7 @@ std::string value_array(const char* name, const std::vector<std::shared_ptr<cons
 
 /// Calls visit(attribute, list) for each list of a look that a VTP file has.
 template <class Visit>
-void visit_arrays(const SurfaceLook& look, const Visit& visit) {
+void visit_lists(const SurfaceLook& look, const Visit& visit) {
     visit_surface_attributes([&](const auto& attribute) {
         if (const auto& list = look.*attribute.list; *attribute.vtp != 0 && !list.empty())
             visit(attribute, list);
@@ -99,8 +99,8 @@ void visit_arrays(const SurfaceLook& look, const Visit& visit) {
 /// Arrays of the look at split points: of vertices, and of texture coordinates.
 std::string look_arrays(const SurfaceLook& look, const SplitPoints& split) {
     std::string text;
-    visit_arrays(look, [&]<class Element, class Value, Inherits rule>(
-                           const Attribute<Element, Value, rule>& attribute, const std::vector<Value>& list) {
+    visit_lists(look, [&]<class Element, class Value, Inherits rule>(
+                          const Attribute<Element, Value, rule>& attribute, const std::vector<Value>& list) {
         if constexpr (std::same_as<Value, FaceTexture>)
             text += value_array(attribute.vtp, at_points(split, list));
         else if constexpr (std::same_as<Element, Vertex>)
@@ -112,8 +112,8 @@ std::string look_arrays(const SurfaceLook& look, const SplitPoints& split) {
 /// Arrays of the look of faces.
 std::string look_arrays(const SurfaceLook& look) {
     std::string text;
-    visit_arrays(look, [&]<class Element, class Value, Inherits rule>(
-                           const Attribute<Element, Value, rule>& attribute, const std::vector<Value>& list) {
+    visit_lists(look, [&]<class Element, class Value, Inherits rule>(
+                          const Attribute<Element, Value, rule>& attribute, const std::vector<Value>& list) {
         if constexpr (std::same_as<Element, Face> && !std::same_as<Value, FaceTexture>)
             text += value_array(attribute.vtp, list);
     });
@@ -154,7 +154,7 @@ std::string name_of(const std::vector<std::string>& groups) {
 /// Lists of the names to which arrays of rows refer.
 std::string name_lists(const SurfaceLook& look) {
     std::string lists;
-    visit_arrays(look, [&](const auto& attribute, const auto& list) {
+    visit_lists(look, [&](const auto& attribute, const auto& list) {
         if constexpr (requires { shared_values(list); }) {
             std::vector<std::string> names;
             for (const auto& row : shared_values(list).rows) names.push_back(name_of(row));

@@ -51,10 +51,10 @@ struct Element<T> {
     using Scalar = std::underlying_type_t<T>;
     static constexpr hsize_t width = 1;
 };
-template <class T, int N>
-struct Element<Eigen::Matrix<T, N, 1>> {
-    using Scalar = T;
-    static constexpr hsize_t width = N;
+template <class T>
+requires(T::SizeAtCompileTime > 0) struct Element<T> {
+    using Scalar = typename T::Scalar;
+    static constexpr hsize_t width = T::SizeAtCompileTime;
 };
 template <class T, std::size_t N>
 struct Element<std::array<T, N>> {
