@@ -45,18 +45,17 @@ Colour Mean<Colour>::value() const {
 
 SurfaceLook surface_look(const Mesh& mesh, std::span<const std::int32_t> rows, std::size_t count) {
     SurfaceLook look;
-    visit_surface_attributes(
-        [&]<class Element, class Value, Inherits rule>(const Attribute<Element, Value, rule>& attribute) {
-            const auto [values, exists] = find_property(mesh, attribute);
-            if (!exists) return;
-            std::vector<Value>& list = look.*attribute.list;
-            if constexpr (std::same_as<Element, Vertex>) {
-                list.assign(count, missing<Value>());
-                for (const Vertex vertex : mesh.vertices()) list[rows[vertex.idx()]] = values[vertex];
-            } else {
-                for (const Face face : mesh.faces()) list.push_back(values[face]);
-            }
-        });
+    visit_attributes_of<Vertex>([&](const auto& attribute) {
+        const auto [values, exists] = find_property(mesh, attribute);
+        if (!exists) return;
+        auto& list = look.*attribute.list;
+        list.assign(count, attribute.missing());
+        for (const Vertex vertex : mesh.vertices()) list[rows[vertex.idx()]] = values[vertex];
+    });
+    visit_attributes_of<Face>([&](const auto& attribute) {
+        if (const auto [values, exists] = find_property(mesh, attribute); exists)
+            for (const Face face : mesh.faces()) (look.*attribute.list).push_back(values[face]);
+    });
     return look;
 }
 

@@ -53,13 +53,26 @@ enum class Inherits {
     nothing   ///< inserted elements have the value missing()
 };
 
-/// Attribute of the vertices or faces of a mesh: a property map of a Mesh, and a list of a SurfaceLook.
-template <class Element_, class Value_, Inherits rule>
-struct Attribute {
-    using Element = Element_;
-    using Value = Value_;
-    static constexpr Inherits inherits = rule;
+/// Value of an element that an attribute says nothing of, as where two meshes are joined.
+template <class Value>
+Value missing() {
+    if constexpr (std::same_as<Value, FaceTexture>)
+        return {Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
+    else if constexpr (std::same_as<Value, Colour>)
+        return white;
+    else if constexpr (std::same_as<Value, Eigen::Vector3d>)
+        return Eigen::Vector3d::Zero();
+    else if constexpr (std::same_as<Value, FileWeights>)
+        return {{}, Eigen::Vector3d::Zero()};
+    else if constexpr (std::same_as<Value, std::uint32_t>)
+        return std::numeric_limits<std::uint32_t>::max();
+    else
+        return Value();
+}
 
+/// Attribute of the vertices or faces of a mesh: a property map of a Mesh, and a list of a SurfaceLook.
+template <class Element, class Value, Inherits rule>
+struct Attribute {
     const char* property;                             ///< name of the property map
     std::vector<Value> SurfaceLook::*list = nullptr;  ///< null: only in meshes
     /// Property of PLY files; a vector has three, with the suffixes _x, _y and _z. "": none, or properties
@@ -69,6 +82,8 @@ struct Attribute {
     const char* vtp = "";       ///< array in VTP files
     const char* unit = "1";
     const char* meaning = "";  ///< sentence in recordings
+
+    static Value missing() { return sherd::missing<Value>(); }
 };
 
 /// Table of all attributes. An attribute that has its place here, in SurfaceLook and in
@@ -126,6 +141,15 @@ constexpr void visit_surface_attributes(const Visit& visit) {
     visit(attribute::axis);
 }
 
+/// Visits, of these, the attributes of vertices (Vertex) or of faces (Face).
+template <class Element, class Visit>
+void visit_attributes_of(const Visit& visit) {
+    visit_surface_attributes(
+        [&]<class E, class Value, Inherits rule>(const Attribute<E, Value, rule>& attribute) {
+            if constexpr (std::same_as<E, Element>) visit(attribute);
+        });
+}
+
 /// Calls visit(attribute) for each attribute of a mesh.
 template <class Visit>
 void visit_mesh_attributes(const Visit& visit) {
@@ -134,22 +158,35 @@ void visit_mesh_attributes(const Visit& visit) {
     visit(attribute::file_weights);
 }
 
-/// Value of an element that an attribute says nothing of, as where two meshes are joined.
+/// Values that are plain numbers, written to files one by one.
 template <class Value>
-Value missing() {
-    const Eigen::Vector2d zero = Eigen::Vector2d::Zero();
-    if constexpr (std::same_as<Value, FaceTexture>)
-        return {zero, zero, zero};
-    else if constexpr (std::same_as<Value, Colour>)
-        return white;
-    else if constexpr (std::same_as<Value, Eigen::Vector3d>)
-        return Eigen::Vector3d::Zero();
-    else if constexpr (std::same_as<Value, FileWeights>)
-        return {{}, Eigen::Vector3d::Zero()};
-    else if constexpr (std::same_as<Value, std::uint32_t>)
-        return std::numeric_limits<std::uint32_t>::max();
+concept IsNumbers = std::same_as<Value, double> || std::same_as<Value, Eigen::Vector3d>;
+
+inline std::span<double> numbers_of(double& value) {
+    return {&value, 1};
+}
+inline std::span<double> numbers_of(Eigen::Vector3d& value) {
+    return {value.data(), 3};
+}
+
+/// Names of the properties of PLY files for each of an attribute's numbers.
+template <class Element, IsNumbers Value, Inherits rule>
+std::vector<std::string> ply_names(const Attribute<Element, Value, rule>& attribute) {
+    const std::string name = attribute.ply;
+    if constexpr (std::same_as<Value, double>)
+        return {name};
     else
-        return Value();
+        return {name + "_x", name + "_y", name + "_z"};
+}
+
+/// Visits the attributes of an element that PLY files have as numbers of these names.
+template <class Element, class Visit>
+void visit_numbers(const Visit& visit) {
+    visit_attributes_of<Element>(
+        [&]<class Value, Inherits rule>(const Attribute<Element, Value, rule>& attribute) {
+            if constexpr (IsNumbers<Value>)
+                if (*attribute.ply != 0) visit(attribute);
+        });
 }
 
 /// Mean of values by weights that sum to 1.
@@ -180,27 +217,6 @@ class Mean<Colour> {
 template <class Value>
 bool is_same(const Value& one, const Value& two) {
     return one == two;
-}
-
-/// Values that are plain numbers, written to files one by one.
-template <class Value>
-concept IsNumbers = std::same_as<Value, double> || std::same_as<Value, Eigen::Vector3d>;
-
-inline std::span<double> numbers_of(double& value) {
-    return {&value, 1};
-}
-inline std::span<double> numbers_of(Eigen::Vector3d& value) {
-    return {value.data(), 3};
-}
-
-/// Names of the properties of PLY files for each of an attribute's numbers.
-template <class Element, IsNumbers Value, Inherits rule>
-std::vector<std::string> ply_names(const Attribute<Element, Value, rule>& attribute) {
-    const std::string name = attribute.ply;
-    if constexpr (std::same_as<Value, double>)
-        return {name};
-    else
-        return {name + "_x", name + "_y", name + "_z"};
 }
 
 /// The property map of an attribute and whether the mesh has it.

@@ -213,7 +213,7 @@ template <class Element>
 class AttributeColumns {
   public:
     explicit AttributeColumns(const PlyElement& element) {
-        visit([&](const auto& attribute) {
+        visit_numbers<Element>([&](const auto& attribute) {
             for (const std::string& name : ply_names(attribute))
                 if (const auto found = element.find({name}); found && !element.properties[*found].count)
                     columns[name] = {*found, {}};
@@ -225,30 +225,19 @@ class AttributeColumns {
     }
 
     void give(SurfaceLook& look) const {
-        visit([&]<class Value, Inherits rule>(const Attribute<Element, Value, rule>& attribute) {
+        visit_numbers<Element>([&](const auto& attribute) {
             const std::vector<std::string> names = ply_names(attribute);
             if (!std::ranges::all_of(names, [&](const auto& name) { return columns.contains(name); })) return;
-            std::vector<Value>& list = look.*attribute.list;
-            const std::size_t before = list.size();
-            for (std::size_t i = 0; i < names.size(); ++i) {
-                const std::vector<double>& values = columns.at(names[i]).values;
-                list.resize(before + values.size());
-                for (std::size_t row = 0; row < values.size(); ++row)
-                    numbers_of(list[before + row])[i] = values[row];
-            }
+            auto& list = look.*attribute.list;
+            const std::size_t before = list.size(), count = columns.at(names[0]).values.size();
+            list.resize(before + count, attribute.missing());
+            for (std::size_t i = 0; i < names.size(); ++i)
+                for (std::size_t row = 0; row < count; ++row)
+                    numbers_of(list[before + row])[i] = columns.at(names[i]).values[row];
         });
     }
 
   private:
-    template <class Visit>
-    static void visit(const Visit& visit) {
-        visit_surface_attributes(
-            [&]<class E, class Value, Inherits rule>(const Attribute<E, Value, rule>& attribute) {
-                if constexpr (std::same_as<E, Element> && IsNumbers<Value>)
-                    if (*attribute.ply != 0) visit(attribute);
-            });
-    }
-
     struct Column {
         std::size_t number;
         std::vector<double> values;

@@ -261,17 +261,18 @@ Mesh Reading::build() const {
 
 void Reading::give_attributes(Mesh& mesh) const {
     const auto file_vertex = find_property(mesh, attribute::file_vertex).first;
-    visit_surface_attributes(
-        [&]<class Element, class Value, Inherits rule>(const Attribute<Element, Value, rule>& attribute) {
-            const std::vector<Value>& list = polygons.look.*attribute.list;
-            if (list.empty()) return;
-            auto values = add_property(mesh, attribute);
-            for (const Element element : elements<Element>(mesh))
-                if constexpr (std::same_as<Element, Vertex>)
-                    values[element] = list[file_vertex[element]];
-                else
-                    values[element] = list[soup.polygon[element.idx()]];
-        });
+    const auto give = [&](const auto& attribute, const auto& elements, const auto& row) {
+        const auto& list = polygons.look.*attribute.list;
+        if (list.empty()) return;
+        auto values = add_property(mesh, attribute);
+        for (const auto element : elements) values[element] = list[row(element)];
+    };
+    visit_attributes_of<Vertex>([&](const auto& attribute) {
+        give(attribute, mesh.vertices(), [&](Vertex vertex) { return file_vertex[vertex]; });
+    });
+    visit_attributes_of<Face>([&](const auto& attribute) {
+        give(attribute, mesh.faces(), [&](Face face) { return soup.polygon[face.idx()]; });
+    });
 }
 
 }  // namespace

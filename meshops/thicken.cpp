@@ -188,16 +188,17 @@ TriangleSheet thickened(const TriangleSheet& sheet, std::span<const double> thic
         if (!sheet.group.empty()) body.group.push_back(sheet.group[t]);
         if (!sheet.quality.empty()) body.quality.push_back(sheet.quality[t]);
     }
-    visit_surface_attributes(
-        [&]<class Element, class Value, Inherits rule>(const Attribute<Element, Value, rule>& attribute) {
-            const std::vector<Value>& values = sheet.look.*attribute.list;
-            std::vector<Value>& list = body.look.*attribute.list;
-            if (values.empty()) return;
-            if constexpr (std::same_as<Element, Vertex>)
-                for (int side = 0; side < 2; ++side) list.insert(list.end(), values.begin(), values.end());
-            else
-                for (const auto& [t, corners] : source) list.push_back(with_corners(values[t], corners));
-        });
+    visit_attributes_of<Vertex>([&](const auto& attribute) {
+        const auto& values = sheet.look.*attribute.list;
+        auto& list = body.look.*attribute.list;
+        for (int side = 0; side < 2; ++side) list.insert(list.end(), values.begin(), values.end());
+    });
+    visit_attributes_of<Face>([&](const auto& attribute) {
+        const auto& values = sheet.look.*attribute.list;
+        if (values.empty()) return;
+        for (const auto& [t, corners] : source)
+            (body.look.*attribute.list).push_back(with_corners(values[t], corners));
+    });
     body.shading.assign(2 * sheet.triangles.size(), Shading::smooth);
     body.shading.resize(body.triangles.size(), Shading::rim);
     body.group_names = sheet.group_names;

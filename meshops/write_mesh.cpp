@@ -33,30 +33,21 @@ std::string colour_properties(const TriangleSheet& sheet) {
            (colour_parts(sheet) == 4 ? "property uchar alpha\n" : "");
 }
 
-/// Calls visit(list, names of its numbers) for each list of numbers of the sheet's points or triangles.
-template <class Element, class Visit>
-void visit_numbers(const TriangleSheet& sheet, const Visit& visit) {
-    visit_surface_attributes(
-        [&]<class E, class Value, Inherits rule>(const Attribute<E, Value, rule>& attribute) {
-            if constexpr (std::same_as<E, Element> && IsNumbers<Value>)
-                if (const std::vector<Value>& list = sheet.look.*attribute.list;
-                    !list.empty() && *attribute.ply != 0)
-                    visit(list, ply_names(attribute));
-        });
-}
-
 template <class Element>
 std::string number_properties(const TriangleSheet& sheet) {
     std::string text;
-    visit_numbers<Element>(sheet, [&](const auto&, const std::vector<std::string>& names) {
-        for (const std::string& name : names) text += "property double " + name + "\n";
+    visit_numbers<Element>([&](const auto& attribute) {
+        if (!(sheet.look.*attribute.list).empty())
+            for (const std::string& name : ply_names(attribute)) text += "property double " + name + "\n";
     });
     return text;
 }
 
 template <class Element>
 void append_numbers(std::string& bytes, const TriangleSheet& sheet, std::size_t i) {
-    visit_numbers<Element>(sheet, [&](const auto& list, const auto&) {
+    visit_numbers<Element>([&](const auto& attribute) {
+        const auto& list = sheet.look.*attribute.list;
+        if (list.empty()) return;
         auto value = list[i];
         for (const double number : numbers_of(value)) append_little_endian(bytes, number);
     });
@@ -117,16 +108,19 @@ void check(const TriangleSheet& sheet, const std::string& file) {
     const auto require = [&](bool holds, const char* what) {
         if (!holds) throw Error(file + ": cannot write the mesh: " + what, Fault::run);
     };
-    const auto fits = [&]<class Element = Face>(const auto& values) {
-        return values.empty() || values.size() == number_of<Element>(sheet);
+    const std::size_t points = sheet.points.size(), triangles = sheet.triangles.size();
+    const auto fit = [](const auto& values, std::size_t count) {
+        return values.empty() || values.size() == count;
     };
-    require(fits(sheet.group) && fits(sheet.quality) && fits(sheet.normal) && fits(sheet.shading),
+    require(fit(sheet.group, triangles) && fit(sheet.quality, triangles) && fit(sheet.normal, triangles) &&
+                fit(sheet.shading, triangles),
             "group, normal, quality and shading need one value a triangle");
-    visit_surface_attributes(
-        [&]<class Element, class Value, Inherits rule>(const Attribute<Element, Value, rule>& attribute) {
-            require(fits.template operator()<Element>(sheet.look.*attribute.list),
-                    "each attribute needs one value a point, or a triangle");
-        });
+    visit_attributes_of<Vertex>([&](const auto& attribute) {
+        require(fit(sheet.look.*attribute.list, points), "an attribute needs one value a point");
+    });
+    visit_attributes_of<Face>([&](const auto& attribute) {
+        require(fit(sheet.look.*attribute.list, triangles), "an attribute needs one value a triangle");
+    });
     for (const auto& triangle : sheet.triangles) {
         for (const std::int32_t point : triangle) {
             require(point >= 0 && static_cast<std::size_t>(point) < sheet.points.size(),
@@ -204,12 +198,14 @@ void add_group(TriangleSheet& all, const TriangleSheet& mesh, const std::string&
     const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
     append_values(all.normal, mesh.normal, before, count, {up, up, up});
     all.shading.clear();
-    visit_surface_attributes(
-        [&]<class Element, class Value, Inherits rule>(const Attribute<Element, Value, rule>& attribute) {
-            const std::size_t added = number_of<Element>(mesh);
-            append_values(all.look.*attribute.list, mesh.look.*attribute.list,
-                          number_of<Element>(all) - added, added, missing<Value>());
-        });
+    const auto join = [&](const auto& attribute, std::size_t earlier, std::size_t added) {
+        append_values(all.look.*attribute.list, mesh.look.*attribute.list, earlier, added,
+                      attribute.missing());
+    };
+    visit_attributes_of<Vertex>([&](const auto& attribute) {
+        join(attribute, all.points.size() - mesh.points.size(), mesh.points.size());
+    });
+    visit_attributes_of<Face>([&](const auto& attribute) { join(attribute, before, count); });
     for (std::size_t t = 0; t < mesh.look.groups.size(); ++t)
         all.look.groups[before + t] = one_word_names(mesh.look.groups[t]);
 }

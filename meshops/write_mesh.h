@@ -28,12 +28,6 @@ struct TriangleSheet {
 
 TriangleSheet triangle_sheet(const Mesh& mesh);
 
-/// Number of points (Vertex) or triangles (Face).
-template <class Element>
-std::size_t number_of(const TriangleSheet& sheet) {
-    return std::same_as<Element, Vertex> ? sheet.points.size() : sheet.triangles.size();
-}
-
 /// Appends a mesh to others, which have groups, as a group of its own. The mesh's own numbered groups and the
 /// shading of all meshes are dropped; normals and what files gave (SurfaceLook) come from all meshes that
 /// have some. Spaces in names of groups become underscores: in OBJ a name of several

@@ -31,14 +31,14 @@ std::vector<Colour> colours(const TriangleSheet& sheet, const SplitPoints& split
 
 /// Adds attributes of vertices that are plain numbers, with capitals as in glTF.
 void add_numbers(const SurfaceLook& look, const SplitPoints& split, GlbNode& node) {
-    visit_surface_attributes([&]<class Element, class Value, Inherits rule>(
-                                 const Attribute<Element, Value, rule>& attribute) {
-        if constexpr (std::same_as<Element, Vertex> && std::same_as<Value, double>)
-            if (const std::vector<double>& list = look.*attribute.list; !list.empty()) {
-                std::string name = attribute.vtp;
-                std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::toupper(c); });
-                node.numbers[name] = gathered(list, split.points);
-            }
+    visit_numbers<Vertex>([&](const auto& attribute) {
+        const auto& list = look.*attribute.list;
+        if constexpr (std::same_as<std::decay_t<decltype(list)>, std::vector<double>>) {
+            if (list.empty()) return;
+            std::string name = attribute.vtp;
+            std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::toupper(c); });
+            node.numbers[name] = gathered(list, split.points);
+        }
     });
 }
 

@@ -44,13 +44,10 @@ std::vector<double> face_speed(const Snapshot& frame) {
 /// The look of a frame's own vertices and faces, with names of groups of one word.
 SurfaceLook look_of(const Snapshot& frame) {
     SurfaceLook look = frame.rest.look;
-    visit_surface_attributes(
-        [&]<class Element, class Value, Inherits rule>(const Attribute<Element, Value, rule>& attribute) {
-            const std::vector<Value>& at_rest = frame.rest.look.*attribute.list;
-            if constexpr (std::same_as<Element, Vertex>)
-                if (!at_rest.empty())
-                    look.*attribute.list = gathered(at_rest, {frame.original.begin(), frame.original.end()});
-        });
+    visit_attributes_of<Vertex>([&](const auto& attribute) {
+        auto& list = look.*attribute.list;
+        if (!list.empty()) list = gathered(list, {frame.original.begin(), frame.original.end()});
+    });
     SharedValues<std::vector<std::string>> groups = shared_values(look.groups);
     for (std::vector<std::string>& names : groups.rows)
         names = *one_word_names(std::make_shared<const std::vector<std::string>>(names));
@@ -112,11 +109,11 @@ TriangleSheet group_part(const TriangleSheet& sheet, std::int32_t group) {
     keep(sheet.quality, triangles, part.quality);
     keep(sheet.shading, triangles, part.shading);
     keep(sheet.normal, triangles, part.normal);
-    visit_surface_attributes(
-        [&]<class Element, class Value, Inherits rule>(const Attribute<Element, Value, rule>& attribute) {
-            keep(sheet.look.*attribute.list, std::same_as<Element, Vertex> ? points : triangles,
-                 part.look.*attribute.list);
-        });
+    visit_attributes_of<Vertex>(
+        [&](const auto& attribute) { keep(sheet.look.*attribute.list, points, part.look.*attribute.list); });
+    visit_attributes_of<Face>([&](const auto& attribute) {
+        keep(sheet.look.*attribute.list, triangles, part.look.*attribute.list);
+    });
     return part;
 }
 

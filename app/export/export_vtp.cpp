@@ -87,24 +87,19 @@ std::string value_array(const char* name, const std::vector<std::shared_ptr<cons
     return array("Int32", name, 1, rows.data(), rows.size());
 }
 
-/// Calls visit(attribute, list) for each list of a look that a VTP file has.
-template <class Visit>
-void visit_lists(const SurfaceLook& look, const Visit& visit) {
-    visit_surface_attributes([&](const auto& attribute) {
-        if (const auto& list = look.*attribute.list; *attribute.vtp != 0 && !list.empty())
-            visit(attribute, list);
-    });
+/// Array of an attribute; "" if the list is empty, or VTP files do not have the attribute.
+template <class Value>
+std::string attribute_array(const auto& attribute, const std::vector<Value>& list) {
+    return *attribute.vtp == 0 || list.empty() ? "" : value_array(attribute.vtp, list);
 }
 
-/// Arrays of the look at split points: of vertices, and of texture coordinates.
+/// Arrays of the look at split points: texture coordinates, and attributes of vertices.
 std::string look_arrays(const SurfaceLook& look, const SplitPoints& split) {
     std::string text;
-    visit_lists(look, [&]<class Element, class Value, Inherits rule>(
-                          const Attribute<Element, Value, rule>& attribute, const std::vector<Value>& list) {
-        if constexpr (std::same_as<Value, FaceTexture>)
-            text += value_array(attribute.vtp, at_points(split, list));
-        else if constexpr (std::same_as<Element, Vertex>)
-            text += value_array(attribute.vtp, gathered(list, split.points));
+    if (!look.texture.empty()) text = attribute_array(attribute::texture, at_points(split, look.texture));
+    visit_attributes_of<Vertex>([&](const auto& attribute) {
+        if (const auto& list = look.*attribute.list; !list.empty())
+            text += attribute_array(attribute, gathered(list, split.points));
     });
     return text;
 }
@@ -112,10 +107,10 @@ std::string look_arrays(const SurfaceLook& look, const SplitPoints& split) {
 /// Arrays of the look of faces.
 std::string look_arrays(const SurfaceLook& look) {
     std::string text;
-    visit_lists(look, [&]<class Element, class Value, Inherits rule>(
-                          const Attribute<Element, Value, rule>& attribute, const std::vector<Value>& list) {
-        if constexpr (std::same_as<Element, Face> && !std::same_as<Value, FaceTexture>)
-            text += value_array(attribute.vtp, list);
+    visit_attributes_of<Face>([&](const auto& attribute) {
+        const auto& list = look.*attribute.list;
+        if constexpr (!std::same_as<std::decay_t<decltype(list)>, std::vector<FaceTexture>>)
+            text += attribute_array(attribute, list);
     });
     return text;
 }
@@ -154,8 +149,10 @@ std::string name_of(const std::vector<std::string>& groups) {
 /// Lists of the names to which arrays of rows refer.
 std::string name_lists(const SurfaceLook& look) {
     std::string lists;
-    visit_lists(look, [&](const auto& attribute, const auto& list) {
+    visit_attributes_of<Face>([&](const auto& attribute) {
+        const auto& list = look.*attribute.list;
         if constexpr (requires { shared_values(list); }) {
+            if (list.empty()) return;
             std::vector<std::string> names;
             for (const auto& row : shared_values(list).rows) names.push_back(name_of(row));
             lists += text_array((attribute.vtp + std::string("_names")).c_str(), names);

@@ -39,14 +39,13 @@ std::size_t rows_of(const auto& values) {
 /// Returns the first fault of a look, or "". faces, vertices: their numbers at rest.
 std::string look_fault(const SurfaceLook& look, std::size_t faces, std::size_t vertices) {
     std::string fault;
-    visit_recorded_attributes(
-        [&]<class Element, class Value, Inherits rule>(const Attribute<Element, Value, rule>& attribute) {
-            const bool is_of_vertices = std::same_as<Element, Vertex>;
-            const std::size_t count = (look.*attribute.list).size();
-            if (fault.empty() && count != 0 && count != (is_of_vertices ? vertices : faces))
-                fault = fmt::format("rest/{} and rest/{} differ in length",
-                                    is_of_vertices ? "position" : "faces", attribute.recorded);
-        });
+    const auto check = [&](const auto& attribute, const char* elements, std::size_t wanted) {
+        const std::size_t count = (look.*attribute.list).size();
+        if (fault.empty() && count != 0 && count != wanted)
+            fault = fmt::format("rest/{} and rest/{} differ in length", elements, attribute.recorded);
+    };
+    visit_attributes_of<Face>([&](const auto& attribute) { check(attribute, "faces", faces); });
+    visit_attributes_of<Vertex>([&](const auto& attribute) { check(attribute, "position", vertices); });
     return fault;
 }
 

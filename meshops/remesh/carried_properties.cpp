@@ -82,10 +82,8 @@ void carry(const InputSurface& surface, const std::vector<Face>&, const std::vec
 
 bool has_face_values(const Mesh& mesh) {
     bool any = false;
-    visit_surface_attributes(
-        [&]<class Element, class Value, Inherits rule>(const Attribute<Element, Value, rule>& attribute) {
-            any = any || (std::same_as<Element, Face> && find_property(mesh, attribute).second);
-        });
+    visit_attributes_of<Face>(
+        [&](const auto& attribute) { any = any || find_property(mesh, attribute).second; });
     return any;
 }
 
