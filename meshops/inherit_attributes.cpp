@@ -75,7 +75,7 @@ class FaceInheritance {
 
 /// Sets values after all of them have been computed from those before the change.
 template <class Element, class Value>
-void set(Mesh::Property_map<Element, Value> values, const std::vector<std::pair<Element, Value>>& now) {
+void assign(Mesh::Property_map<Element, Value> values, const std::vector<std::pair<Element, Value>>& now) {
     for (const auto& [element, value] : now) values[element] = value;
 }
 
@@ -90,7 +90,7 @@ void inherit(Mesh& mesh, const FaceInheritance& faces, const TopologyChange& cha
             now.emplace_back(face, faces.mean(values, face, shares));
         else
             now.emplace_back(face, values[shares.front().element]);
-    set(values, now);
+    assign(values, now);
 }
 
 template <class Value, Inherits rule>
@@ -109,7 +109,7 @@ void inherit(Mesh& mesh, const FaceInheritance&, const TopologyChange& change,
     } else {
         for (const Born<Vertex>& vertex : change.vertices) now.emplace_back(vertex.element, missing<Value>());
     }
-    set(values, now);
+    assign(values, now);
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ std::vector<double> face_speed(const Snapshot& frame) {
 }
 
 /// The look of a frame's own vertices and faces, with names of groups of one word.
-SurfaceLook look_of(const Snapshot& frame) {
+SurfaceLook frame_look(const Snapshot& frame) {
     SurfaceLook look = frame.rest.look;
     visit_attributes_of<Vertex>([&](const auto& attribute) {
         auto& list = look.*attribute.list;
@@ -70,7 +70,7 @@ TriangleSheet frame_sheet(const Snapshot& frame) {
     for (Eigen::Index v = 0; v < frame.position.cols(); ++v) sheet.points.push_back(frame.position.col(v));
     sheet.triangles = frame.faces;
     sheet.group = frame.face_fragment;
-    sheet.look = look_of(frame);
+    sheet.look = frame_look(frame);
     for (std::size_t i = 0; i < fragment_count(frame); ++i) sheet.group_names.push_back(fragment_name(i));
     return sheet;
 }

@@ -79,7 +79,7 @@ class Grid {
 /// Adds the arrays of some elements that ParaView shows. count: number of the elements.
 void add_shown(Grid& grid, Elements entries, std::size_t count) {
     const Snapshot types{};
-    visit_arrays(types, [&]<class Array>(const SnapshotArray& array, const Array& values) {
+    visit_arrays(types, [&]<class Array>(const SnapshotArray& array, const Array&) {
         if (!array.shown || array.entries != entries) return;
         const std::string center = entries == Elements::vertices ? "Node" : "Cell";
         if constexpr (std::same_as<Array, Positions>)
