@@ -49,7 +49,7 @@ class StateVisitor {
     }
 
   private:
-    static constexpr const char* other_input = "the state is that of other input";
+    static constexpr const char* other_input = "the state belongs to other input";
 
     template <class T>
     static constexpr bool is_bytes =

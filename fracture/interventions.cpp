@@ -25,10 +25,11 @@ void set_motion(Shell& shell, std::size_t shared, Index vertex, const Motion& mo
 
 void require_forces(const ShellEnergyOptions& options, const Shell& shell, const Positions& forces) {
     if (!options.given_forces)
-        throw Error("the simulation was not made for given forces: ShellEnergyOptions::given_forces");
+        throw Error("the simulation does not accept given forces; set ShellEnergyOptions::given_forces");
     if (const Eigen::Index count = shell.position.cols(); forces.cols() != count) {
         std::ostringstream text;
-        text << "there are forces for " << forces.cols() << " vertices, and " << count << " vertices";
+        text << "forces were given for " << forces.cols() << " vertices, but the sheets have " << count
+             << " vertices";
         throw Error(text.str());
     }
 }
@@ -49,12 +50,13 @@ void prescribe(Shell& shell, std::size_t shared, std::span<const Index> vertices
                double now, double then) {
     std::ostringstream text;
     if (!(then > now)) {
-        text << "vertices cannot be at their place at " << then << ": it is " << now << " already";
+        text << "vertices cannot reach their positions at " << then << ": the time is " << now << " already";
         throw Error(text.str());
     }
     for (const Index vertex : vertices) {
         if (vertex >= 0 && vertex < static_cast<Index>(shell.fixed.size()) && shell.fixed[vertex]) continue;
-        text << "vertex " << vertex << " cannot go as it is told: no pin holds it in all directions";
+        text << "vertex " << vertex
+             << " cannot follow prescribed positions: no pin holds it in all directions";
         throw Error(text.str());
     }
     for (std::size_t i = 0; i < vertices.size(); ++i) {

@@ -218,8 +218,8 @@ std::string Simulation::failure(const Attempt& last) const {
     }
     if (last.urgency == Urgency::passage) {
         text << "even in a step of " << policy.size() << unit
-             << " something passes through what it meets; a thicker or stiffer sheet, less speed, or a finer "
-                "mesh may help";
+             << " surfaces pass through each other; a thicker or stiffer sheet, less speed, or a finer mesh "
+                "may help";
         return text.str();
     }
     text << "even a step of " << policy.size() << unit << " cannot be solved within "
@@ -230,17 +230,16 @@ std::string Simulation::failure(const Attempt& last) const {
         text << "it lies " << farthest << " m from the origin, where positions have steps of " << spacing
              << " m: place the scene near the origin";
     else
-        text << "more of them (solver.max_iterations) or a larger solver.tolerance may help, and sherd check "
-                "warns of numbers that are hardly meant";
+        text << "more iterations (solver.max_iterations) or a larger solver.tolerance may help, and sherd "
+                "check warns of implausible numbers";
     if (statics)
-        text
-            << "; or there is no equilibrium near: the shell snaps through (solver.arc_length = true follows "
-               "it), a piece came off, or a sheet can turn or glide as a whole";
+        text << "; or there is no equilibrium nearby: the shell snaps through (solver.arc_length = true "
+                "follows it), a piece has come off, or a sheet can rotate or slide as a whole";
     const bool obstacle_moves = std::ranges::any_of(options.stepper.contact.obstacles, &Obstacle::moves);
     if (obstacle_moves || !breakable.mechanics().motions.empty())
-        text << "; or a moving pin or obstacle meets what cannot get out of its way";
+        text << "; or a moving pin or obstacle pushes against something that cannot move away";
     if (!options.stepper.contact.bodies.empty())
-        text << "; or a free obstacle moves so fast that it would be beyond what it meets";
+        text << "; or a free obstacle moves so fast that it would pass through what it meets";
     return text.str();
 }
 

@@ -186,8 +186,8 @@ void LineCut::walk(Vertex from, Vertex to, std::span<const Vector3d> curve, cons
         if (steps-- == 0)
             throw Error(
                 name +
-                ": the line cannot be followed to this point; its points may be nearer to each other " +
-                "than the mesh is fine: leave some out or remesh");
+                ": the line cannot be followed to this point; its points may be closer to each other " +
+                "than the mesh edges are long: leave some out or remesh");
         follow(advanced->change, advanced->smallest_angle);
         add(advanced->halfedge);
         tip = mesh.target(advanced->halfedge);

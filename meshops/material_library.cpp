@@ -79,7 +79,7 @@ std::string absolute_name(const fs::path& folder, std::string name) {
 std::map<std::string, std::string> read_material_library(const fs::path& file) {
     std::ifstream stream(file);
     if (!stream || fs::is_directory(file))
-        throw Error(file.string() + ": the file of materials cannot be read; check its permissions");
+        throw Error(file.string() + ": the material file cannot be read; check its permissions");
     const std::string content{std::istreambuf_iterator<char>(stream), {}};
     std::map<std::string, std::string> definitions;
     std::string* current = nullptr;

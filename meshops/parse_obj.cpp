@@ -36,9 +36,9 @@ constexpr std::array<std::string_view, 20> of_free_forms{
 constexpr const char* free_form_kind = "free-form curves and surfaces";
 
 std::string skipped_kind(std::string_view keyword) {
-    if (keyword == "l") return "lines (`l`)";
+    if (keyword == "l") return "polylines (`l`)";
     if (keyword == "p") return "points (`p`)";
-    return is_one_of(of_free_forms, keyword) ? free_form_kind : "statements that Sherd does not know";
+    return is_one_of(of_free_forms, keyword) ? free_form_kind : "unknown statements";
 }
 
 /// Reads an OBJ text line by line.
@@ -144,8 +144,8 @@ class ObjParser {
         for (const auto& [kind, statements] : skipped)
             soup.warnings.push_back(
                 std::to_string(statements.count) + (statements.count == 1 ? " line was" : " lines were") +
-                " passed over, of " + kind + " (the first: line " + std::to_string(statements.first_line) +
-                ", `" + statements.first_keyword + "`)");
+                " skipped: " + kind + " (the first: line " + std::to_string(statements.first_line) + ", `" +
+                statements.first_keyword + "`)");
     }
 
     void require_faces() const {
@@ -191,9 +191,8 @@ class ObjParser {
             if (is_there(name))
                 definitions.merge(read_material_library(soup.file.parent_path() / name));
             else
-                missing_libraries.push_back("line " + std::to_string(line_number) +
-                                            ": the file of materials '" + name +
-                                            "' is not there; they have names only");
+                missing_libraries.push_back("line " + std::to_string(line_number) + ": the material file '" +
+                                            name + "' does not exist; its materials have names only");
         }
     }
 
@@ -238,7 +237,7 @@ class ObjParser {
         for (const LaterTexture& later : later_texture) {
             if (later.point >= texture_points.size())
                 TextLine(soup.file, later.line, "")
-                    .fail("names a texture point that is not there", later.word);
+                    .fail("names a texture point that does not exist", later.word);
             auto& texture = soup.texture[later.polygon];
             if (!texture.empty()) texture[later.corner] = texture_points[later.point];
         }

@@ -67,7 +67,7 @@ OffHeader read_keyword(TextLine& line) {
     OffHeader header = take_letters(rest);
     const std::string_view count = rest.substr(std::min<std::size_t>(rest.size(), 3));
     if (lower_case(rest.substr(0, 3)) != "off" || !has_digits_only(count))
-        line.fail("cannot be understood as OFF: write `OFF` in front", word.substr(0, 40));
+        line.fail("is not the start of an OFF file: write `OFF` in front of it", word.substr(0, 40));
     line = ahead;
     header.is_binary = lower_case(ahead.next_word()) == "binary";
     line.put_back(count);
@@ -146,7 +146,7 @@ class OffText {
     }
     std::size_t next_count() {
         if (line->is_at_end()) next_line("its header does not say how many vertices and faces there are");
-        return next_integer("cannot be understood as a number of vertices or faces of OFF");
+        return next_integer("is not a number of vertices or faces");
     }
 
     /// The number of edges is not used, and some programs leave it out: then a vertex is next, which has
@@ -178,13 +178,12 @@ class OffText {
         next_element("face " + std::to_string(number) + " is missing");
         soup.polygon_line.push_back(lines.number());
         TextLine before = *line;
-        const std::size_t count =
-            next_integer("cannot be understood as a number of corners of a face of OFF");
+        const std::size_t count = next_integer("is not a number of corners of a face");
         std::vector<std::size_t>& polygon = soup.polygons.emplace_back();
         for (std::size_t corner = 0; corner < count; ++corner) {
             next_part();
             if (line->is_at_end())
-                before.fail("corners were promised, the line has fewer", before.next_word());
+                before.fail("corners were announced, but the line has fewer", before.next_word());
             polygon.push_back(next_integer("is no vertex number"));
         }
         if (layout != OffLayout::lines) require_corners(polygon);
@@ -195,7 +194,7 @@ class OffText {
     void require_corners(const std::vector<std::size_t>& polygon) const {
         const auto is_there = [&](std::size_t corner) { return corner < header.vertices; };
         if (polygon.size() < 3 || !std::ranges::all_of(polygon, is_there))
-            line->fail("ends what cannot be a face", {});
+            line->fail("ends a sequence that cannot be a face", {});
     }
 
     const std::filesystem::path& file;

@@ -120,7 +120,7 @@ class PlyRows {
         const auto [low, high] = range_of(type);
         if (!(value >= low && value <= high && value == std::floor(value)))
             before.fail(
-                "is no number of the type " + std::string(name_of(type)) + " that the header promises",
+                "is no number of the type " + std::string(name_of(type)) + " that the header declares",
                 before.next_word());
         return value;
     }
@@ -371,7 +371,7 @@ PolygonSoup parse_ply(const std::filesystem::path& file, std::string_view conten
                 soup.warnings.push_back(std::to_string(element.rows) +
                                         (element.rows == 1 ? " row" : " rows") + " of element `" +
                                         element.name + (element.rows == 1 ? "` was" : "` were") +
-                                        " passed over (line " + std::to_string(element.line) + ")");
+                                        " skipped (line " + std::to_string(element.line) + ")");
         }
     }
     return soup;

@@ -38,12 +38,12 @@ std::size_t count_triangles(PolygonSoup& soup, std::string_view bytes) {
     const std::size_t beyond = bytes.size() - stl_header - stl_record * room;
     const std::size_t count = is_unknown || beyond == 0 ? room : promised;
     if (count != promised)
-        soup.warnings.push_back("the binary STL file says that it has " + std::to_string(promised) +
-                                " triangles, and has room for " + std::to_string(count) +
-                                ": so many are read");
+        soup.warnings.push_back("the header of the binary STL file says that it has " +
+                                std::to_string(promised) + " triangles, but the file holds " +
+                                std::to_string(count) + ", which are read");
     else if (bytes.size() > stl_header + stl_record * count)
         soup.warnings.push_back(std::to_string(bytes.size() - stl_header - stl_record * count) +
-                                " bytes behind the last triangle were passed over");
+                                " bytes after the last triangle were skipped");
     return count;
 }
 
@@ -106,8 +106,8 @@ class StlText {
             throw Error(soup.file.string() +
                         ": the STL file ends too early (truncated?): `endsolid` is missing");
         throw Error(soup.file.string() +
-                    ": is no STL file: it has neither the words `solid` and `facet normal` of a text nor the "
-                    "size of a binary one");
+                    ": is no STL file: it has neither the words `solid` and `facet normal` of a text file "
+                    "nor the size of a binary one");
     }
 
   private:

@@ -37,7 +37,8 @@ PlyType read_type(TextLine& line) {
 }
 
 void require_end(TextLine& line, const std::string& form) {
-    if (!line.is_at_end()) line.fail("is one too many in the PLY header; write " + form, line.next_word());
+    if (!line.is_at_end())
+        line.fail("is one word too many in the PLY header; write " + form, line.next_word());
 }
 
 PlyFormat read_format(TextLine& line) {
@@ -63,21 +64,24 @@ PlyElement read_element(TextLine& line, const PlyHeader& header, std::size_t num
         line.fail("is no number of rows in the PLY header; write " + form, rows);
     require_end(line, form);
     if (std::ranges::find(header.elements, element.name, &PlyElement::name) != header.elements.end())
-        line.fail("is there already: the PLY header has two elements of one name", element.name);
+        line.fail("is declared twice: the PLY header has two elements of this name", element.name);
     return element;
 }
 
 void read_property(TextLine& line, PlyHeader& header) {
     const std::string form = "`property TYPE NAME` or `property list TYPE TYPE NAME`";
     if (header.elements.empty())
-        line.fail("stands before any `element` in the PLY header: which element has it?", "property");
+        line.fail(
+            "stands before any `element` in the PLY header; put it after the element to which it belongs",
+            "property");
     TextLine ahead = line;
     PlyProperty property;
     if (ahead.next_word() == "list") {
         line = ahead;
         property.count = read_type(line);
         if (!is_integer(*property.count))
-            line.fail("cannot count a list in the PLY header; use uchar", name_of(*property.count));
+            line.fail("cannot be the type of a list's length in the PLY header; use uchar",
+                      name_of(*property.count));
     }
     property.type = read_type(line);
     property.name = line.next_word();
@@ -85,7 +89,7 @@ void read_property(TextLine& line, PlyHeader& header) {
     require_end(line, form);
     PlyElement& element = header.elements.back();
     if (element.find({property.name}))
-        line.fail("is there already: element " + element.name + " has two properties of one name",
+        line.fail("is declared twice: element " + element.name + " has two properties of this name",
                   property.name);
     element.properties.push_back(property);
 }
@@ -139,7 +143,7 @@ PlyHeader parse_ply_header(const std::filesystem::path& file, std::string_view c
     PlyHeader header;
     std::optional<TextLine> line = lines.next();
     if (!line || line->next_word() != "ply" || !line->is_at_end())
-        throw Error(file.string() + ":1: cannot be understood as PLY: does not begin with a line `ply`");
+        throw Error(file.string() + ":1: is not a PLY file: it does not begin with a line `ply`");
     std::optional<PlyFormat> format;
     while ((line = lines.next_with_words())) {
         const std::string_view keyword = line->next_word();

@@ -72,15 +72,16 @@ double tolerance(const Polygon& polygon) {
 
 std::string fault_of_points(const Polyline& line, std::size_t least, bool is_closed) {
     if (line.size() < least)
-        return "has " + std::to_string(line.size()) + " points, of " + std::to_string(least) + " or more";
+        return "has " + std::to_string(line.size()) + " points, but needs " + std::to_string(least) +
+               " or more";
     for (std::size_t i = 0; i < line.size(); ++i) {
         if (!line[i].allFinite())
-            return "has a coordinate that is NaN or infinite, of point " + std::to_string(i + 1);
+            return "has a coordinate that is NaN or infinite, at point " + std::to_string(i + 1);
         const std::size_t next = (i + 1) % line.size();
         if ((next > 0 || is_closed) && line[i] == line[next])
-            return "has the same point twice, as " + std::to_string(i + 1) + " and " +
+            return "has the same point twice, as points " + std::to_string(i + 1) + " and " +
                    std::to_string(next + 1) + ": leave one out" +
-                   (next == 0 ? " (it is closed by itself)" : "");
+                   (next == 0 ? " (a loop is closed without it)" : "");
     }
     return {};
 }
@@ -101,7 +102,7 @@ std::string fault_of_hole(const Polygon& polygon, std::size_t number) {
         const Polyline& other = polygon.holes[i];
         if (meet(own, sides_of(other, true)) || is_inside(other, hole.front()) ||
             is_inside(hole, other.front()))
-            return "meets hole " + std::to_string(i + 1) + ": make one of them";
+            return "meets hole " + std::to_string(i + 1) + ": merge the two";
     }
     return {};
 }
@@ -147,9 +148,9 @@ std::string fault_of_meetings(const Polygon& polygon, std::size_t number, double
             for (std::size_t b = 0; b < others.size(); ++b) {
                 if (i == number && b + 1 >= a) break;
                 if (meeting_points(own[a], others[b], reach).size() > 1)
-                    return "runs along slit " + std::to_string(i + 1) + ": make one of them";
+                    return "runs along slit " + std::to_string(i + 1) + ": merge the two";
                 if (i == number && !meeting_points(own[a], others[b], reach).empty())
-                    return "meets itself: make several of it";
+                    return "meets itself: divide it into several slits";
             }
     }
     return {};

@@ -137,8 +137,8 @@ std::size_t join_near_points(PolygonSoup& soup, double distance) {
     if (ends.empty()) return 0;
     if (!(2 * distance < mean_side))
         throw Error(soup.file.string() + ": vertices that are " + number_words(distance) +
-                    " apart in the file would be joined, and sides at the border are " +
-                    number_words(mean_side) + " long on the mean: join those that are nearer");
+                    " apart in the file would be joined, but border edges are " + number_words(mean_side) +
+                    " long on average: give a smaller distance");
     const PointGrid grid(soup.points, ends, mean_side);
     std::vector<std::size_t> first = numbers_from_0(soup.points.size());
     std::size_t joined = 0;

@@ -45,7 +45,7 @@ struct Reading {
     /// Advice such as "; `repair = true` on the mesh drops such triangles", or to mend the file if repair
     /// cannot be requested.
     std::string advice(const std::string& what) const {
-        return options.repair_advice.empty() ? "; mend it in the program that made it"
+        return options.repair_advice.empty() ? "; correct it in the program that made it"
                                              : "; " + std::string(options.repair_advice) + " " + what;
     }
 
@@ -88,8 +88,8 @@ void Reading::drop_few_corners() {
 void Reading::drop_repeated_polygons() {
     const auto found = repeated_polygons(polygons);
     if (found.empty()) return;
-    const std::string first = place_of_polygon(polygons, found[0].polygon) + ", which covers what face " +
-                              std::to_string(found[0].earlier) + " does";
+    const std::string first = place_of_polygon(polygons, found[0].polygon) +
+                              ", which covers the same area as face " + std::to_string(found[0].earlier);
     if (!repairs_all())
         throw Error(first + ", which makes their edges non-manifold" + advice("drops repeated faces"));
     warn(counted(found.size(), "face") + " dropped as repeated (the first: " + first + ")");
@@ -116,8 +116,7 @@ void Reading::remove_repeated() {
     if (found.empty()) return;
     if (!repairs_all()) {
         throw Error(place(found[0]) + ": the triangle of vertices " + corners(found[0]) +
-                    " is there already, which makes its edges non-manifold" +
-                    advice("drops repeated triangles"));
+                    " occurs twice, which makes its edges non-manifold" + advice("drops repeated triangles"));
     }
     warn(counted(found.size(), "triangle") + " dropped as repeated (the first: " + place(found[0]) + ")");
     erase_triangles(soup, found);
@@ -150,7 +149,8 @@ void Reading::make_manifold() {
     if (doubled.empty()) return;
     if (options.repair == Repair::none) {
         throw Error(polygons.file.string() + ": faces meet at vertex " + vertex(doubled[0]) +
-                    " without being joined by an edge of two faces" + advice("gives each a vertex"));
+                    " without being joined by an edge of two faces" +
+                    advice("gives each side its own vertex"));
     }
     warn(counted(doubled.size(), "vertex") +
          " doubled because faces met there without being joined by an edge of two faces (the first: vertex " +
@@ -247,7 +247,7 @@ Mesh Reading::build() const {
     for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
         const auto& [a, b, c] = soup.triangles[t];
         if (mesh.add_face(vertex_of[a], vertex_of[b], vertex_of[c]) == Mesh::null_face()) {
-            throw Error(place(t) + ": the triangle of vertices " + corners(t) + " does not fit to the others",
+            throw Error(place(t) + ": the triangle of vertices " + corners(t) + " does not fit the others",
                         Fault::run);
         }
     }

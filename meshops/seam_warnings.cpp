@@ -57,8 +57,8 @@ std::string SeamWarnings::on_seams() const {
     for (const auto& [a, b] : seams) sum += length(a, b);
     return std::to_string(seams.size()) +
            " edges lie on each other without being joined, as along a crack (the first: " + edge(seams[0]) +
-           "; together " + metres(sum) + "); " + std::string(options.join_advice) +
-           " makes one sheet of what lies beside them";
+           "; total length " + metres(sum) + "); " + std::string(options.join_advice) +
+           " joins the two sides";
 }
 
 std::string SeamWarnings::on_near_seams() const {
@@ -66,9 +66,9 @@ std::string SeamWarnings::on_near_seams() const {
     if (seams.edges.empty()) return {};
     return std::to_string(seams.edges.size()) +
            (seams.edges.size() == 1 ? " edge lies within " : " edges lie within ") + metres(seams.gap) +
-           " of others without being joined to them (the first: " + edge(seams.edges[0]) + "; together " +
+           " of others without being joined to them (the first: " + edge(seams.edges[0]) + "; total length " +
            metres(seams.length) + "), so that the sheet is open there; " + advice(seams.gap) +
-           " makes one sheet of what lies beside them";
+           " joins the two sides";
 }
 
 std::string SeamWarnings::on_junctions() const {
@@ -85,7 +85,7 @@ std::string SeamWarnings::on_junctions() const {
     const auto count = std::unique(points.begin(), points.end()) - points.begin();
     return std::to_string(count) + (count == 1 ? " vertex lies" : " vertices lie") +
            " on edges without dividing them (T-junctions; the first: vertex " + vertex(found[0].point) +
-           " on the edge of " + edge(found[0].edge) + "; edges of together " + metres(sum) +
+           " on the edge of " + edge(found[0].edge) + "; edges with a total length of " + metres(sum) +
            "), so that the sheet is open there; " + advice(gap) + " divides these edges";
 }
 

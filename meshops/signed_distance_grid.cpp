@@ -61,7 +61,7 @@ Vector3d eigen(const openvdb::Vec3s& p) {
 
 void require_coarse(double voxel) {
     if (voxel < SignedDistanceGrid::finest)
-        throw Error(text("its voxels of ", voxel, " m are finer than OpenVDB takes: make them larger, ",
+        throw Error(text("its voxels of ", voxel, " m are finer than OpenVDB allows: make them larger, ",
                          SignedDistanceGrid::finest, " m at least"));
 }
 
@@ -80,7 +80,8 @@ double smallest_side(const openvdb::Vec3d& size) {
     const auto [smallest, largest] = std::minmax({size.x(), size.y(), size.z()});
     if (largest > most_oblong * smallest)
         throw Error(text("its voxels are ", largest, " m long and ", smallest, " m wide, more than ",
-                         most_oblong, " times as long: mend its transform, or resample it to cubes"));
+                         most_oblong,
+                         " times as long: correct its transform, or resample it to cubic voxels"));
     return smallest;
 }
 

@@ -55,7 +55,7 @@ void require_used_vertices(const TriangleSoup& soup) {
 
 void require_manifold(const TriangleSoup& soup) {
     if (const auto flat = zero_area_triangles(soup); !flat.empty())
-        refuse_face(flat[0], "its " + corners(soup, flat[0]) + " have no area between them");
+        refuse_face(flat[0], "its " + corners(soup, flat[0]) + " enclose no area");
     if (const auto repeated = repeated_triangles(soup); !repeated.empty())
         refuse_face(repeated[0], "an earlier face has the same " + corners(soup, repeated[0]));
     if (const auto edges = non_manifold_edges(soup); !edges.empty()) {
@@ -67,16 +67,16 @@ void require_manifold(const TriangleSoup& soup) {
     }
     TriangleSoup separated = soup;
     if (const auto doubled = separate_sheets(separated); !doubled.empty())
-        refuse_vertex(doubled[0],
-                      "faces meet there that no edge joins; give those on each side a vertex of their own");
+        refuse_vertex(doubled[0], "faces meet there that no edge joins; give each side a vertex of its own");
 }
 
 void require_orientation(const TriangleSoup& soup) {
     TriangleSoup turned = soup;
     const Orientation orientation = orient(turned);
     if (orientation.one_sided)
-        refuse_face(*orientation.one_sided,
-                    "is of a surface with one side only (like a Moebius band); cut it open along a line");
+        refuse_face(
+            *orientation.one_sided,
+            "belongs to a surface that has only one side (like a Moebius band); cut it open along a line");
     if (!orientation.turned.empty())
         refuse_face(orientation.turned[0],
                     "its normal is opposite to those of its neighbours; swap two of its " +

@@ -26,11 +26,12 @@ openvdb::GridPtrVec read_grids(const std::filesystem::path& file) {
         const bool delay_loading = false;
         return *openvdb::io::Stream(stream, delay_loading).getGrids();
     } catch (const std::ios::failure&) {
-        throw Error("damaged OpenVDB file, or none: it ends early");
+        throw Error("damaged OpenVDB file, or not OpenVDB at all: it ends early");
     } catch (const std::bad_alloc&) {
-        throw Error("damaged OpenVDB file, or none: a length in it needs more memory than there is");
+        throw Error(
+            "damaged OpenVDB file, or not OpenVDB at all: a length in it needs more memory than there is");
     } catch (const std::exception& error) {
-        throw Error(std::string("damaged OpenVDB file, or none: ") + error.what());
+        throw Error(std::string("damaged OpenVDB file, or not OpenVDB at all: ") + error.what());
     }
 }
 
@@ -47,7 +48,7 @@ openvdb::GridPtrVec read_grids_safely(const std::filesystem::path& file) {
     const RehearsalLimits limits{.memory = (std::uint64_t(1) << 30) + 256 * size,
                                  .seconds = 5 + size / 2'000'000};
     rehearse([&] { read_grids(file); }, limits,
-             "damaged OpenVDB file, or none: it makes OpenVDB crash, or read for ever");
+             "damaged OpenVDB file, or not OpenVDB at all: it makes OpenVDB crash or read without end");
     return read_grids(file);
 }
 

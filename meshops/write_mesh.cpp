@@ -114,22 +114,22 @@ void check(const TriangleSheet& sheet, const std::string& file) {
     };
     require(fit(sheet.group, triangles) && fit(sheet.quality, triangles) && fit(sheet.normal, triangles) &&
                 fit(sheet.shading, triangles),
-            "group, normal, quality and shading need one value a triangle");
+            "group, normal, quality and shading need one value per triangle");
     visit_attributes_of<Vertex>([&](const auto& attribute) {
-        require(fit(sheet.look.*attribute.list, points), "an attribute needs one value a point");
+        require(fit(sheet.look.*attribute.list, points), "an attribute needs one value per point");
     });
     visit_attributes_of<Face>([&](const auto& attribute) {
-        require(fit(sheet.look.*attribute.list, triangles), "an attribute needs one value a triangle");
+        require(fit(sheet.look.*attribute.list, triangles), "an attribute needs one value per triangle");
     });
     for (const auto& triangle : sheet.triangles) {
         for (const std::int32_t point : triangle) {
             require(point >= 0 && static_cast<std::size_t>(point) < sheet.points.size(),
-                    "a triangle names a point that is not there");
+                    "a triangle names a point that does not exist");
         }
     }
     for (const std::int32_t group : sheet.group) {
         require(group >= 0 && static_cast<std::size_t>(group) < sheet.group_names.size(),
-                "a triangle names a group that is not there");
+                "a triangle names a group that does not exist");
     }
 }
 

@@ -60,7 +60,7 @@ void follow(const Shell& shell, const ShellChange& change, std::vector<EdgeMomen
     };
     for (std::size_t i = 0, count = moments.size(); i < count; ++i) {
         const std::vector<TriangleEdge> sides = sides_after(shell, change, moments[i].side);
-        if (sides.empty()) throw std::runtime_error("a side with a moment on it is gone");
+        if (sides.empty()) throw std::runtime_error("a boundary edge that carries a moment has been lost");
         moments[i].side = sides.front();
         if (sides.size() == 1) continue;
         EdgeMoment second = moments[i];
@@ -83,7 +83,8 @@ std::vector<CornerForce> point_forces(const Shell& shell, std::span<const Index>
     std::vector<CornerForce> result;
     for (const Index vertex : vertices) {
         result.push_back(forces.at(vertex));
-        if (result.back().triangle < 0) throw std::out_of_range("point_forces: a vertex without triangle");
+        if (result.back().triangle < 0)
+            throw std::out_of_range("point_forces: a vertex belongs to no triangle");
     }
     return result;
 }

@@ -68,7 +68,8 @@ void visit_fields(F& fields, Visit visit) {
                   "second Piola-Kirchhoff stress in the axes face/axes, 00, 11 and 01, at the surface to "
                   "which the face's normal points",
                   false});
-    visit("stress_bottom", fields.stress_bottom, Meaning{"Pa", "the same at the other surface", false});
+    visit("stress_bottom", fields.stress_bottom,
+          Meaning{"Pa", "second Piola-Kirchhoff stress in the same axes at the opposite surface", false});
 }
 
 /// strains, curvatures: of all faces (ShellEnergies::face_strains(), face_curvatures()), [3, F].

@@ -79,8 +79,9 @@ double highest_frequency(const std::function<Positions(const Positions&)>& gradi
     solver.compute(Spectra::SortRule::LargestAlge, max_restarts, tolerance);
     if (solver.info() != Spectra::CompInfo::Successful)
         throw std::runtime_error(
-            "explicit steps: the highest frequency, which bounds them, is not found; sherd check warns of "
-            "materials and triangles that are hardly meant, and implicit steps do not need it");
+            "explicit steps: the highest frequency, which limits the substep, cannot be computed; sherd "
+            "check warns of implausible materials and triangles, and implicit steps do not need this "
+            "frequency");
     mode = solver.eigenvectors().reshaped(3, x.cols()) * map.root.asDiagonal();
     return std::sqrt(std::max(0.0, solver.eigenvalues()[0]));
 }

@@ -34,7 +34,7 @@ double stable_substep(double highest, const Damping& damping, double step) {
     std::ostringstream text;
     text << "explicit steps would need substeps of " << stable
          << " s, more than a million a step: the sheet is too stiff, too light or too damped, or a triangle "
-            "is a needle (sherd check warns of what is hardly meant); mend that, or take implicit steps";
+            "is a needle (sherd check warns of such values); correct that, or use implicit steps";
     throw std::runtime_error(text.str());
 }
 

@@ -26,7 +26,7 @@ TipForce::TipForce(const Shell& shell, const VertexFaces& around, const TipEnerg
       rings(std::min(most_rings, static_cast<int>(tip.rings.size()) - 1)) {
     if (energies.membrane != MembraneModel::constant_strain)
         throw std::invalid_argument(
-            "the force on a crack's tip is known for membranes of constant strain only");
+            "the force on a crack tip is implemented for membranes of constant strain only");
     for (int side = 0; side < 2; ++side) {
         lips[side] = {tip.vertex};
         lips[side].insert(lips[side].end(), tip.lips[side].begin(), tip.lips[side].end());

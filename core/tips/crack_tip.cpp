@@ -87,7 +87,7 @@ CrackTip crack_tip(const Shell& shell, const VertexFaces& around, Index vertex, 
     const std::vector<Index> lips = boundary_neighbours(shell, around, vertex);
     if (lips.size() != 2)
         throw std::invalid_argument("vertex " + std::to_string(vertex) + " has " +
-                                    std::to_string(lips.size()) + " boundary sides: no tip of a crack");
+                                    std::to_string(lips.size()) + " boundary edges: it is not a crack tip");
     CrackTip tip;
     tip.vertex = vertex;
     tip.normal = rest_normal(shell, around, vertex);

@@ -188,7 +188,7 @@ std::optional<PlaneStress> isotropic_at(const Shell& shell, Index face) {
 PlaneStress plane_stress_at(const Shell& shell, Index face) {
     if (const std::optional<PlaneStress> found = isotropic_at(shell, face)) return *found;
     throw std::invalid_argument("face " + std::to_string(face) +
-                                " is not isotropic: there are no stress intensity factors");
+                                " is not isotropic: stress intensity factors are not defined");
 }
 
 ModePair membrane_intensity(const Shell& shell, const VertexFaces& around, const CrackTip& tip,

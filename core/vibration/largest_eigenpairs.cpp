@@ -46,8 +46,8 @@ Eigenpairs lanczos(DeflatedMap map, Eigen::Index count) {
     solver.compute(Spectra::SortRule::LargestAlge, max_restarts, tolerance);
     if (solver.info() != Spectra::CompInfo::Successful)
         throw std::runtime_error(
-            "vibration: Lanczos' method does not converge; sherd check warns of materials and triangles that "
-            "are hardly meant");
+            "vibration: Lanczos' method does not converge; sherd check warns of implausible materials and "
+            "triangles");
     return {solver.eigenvalues(), solver.eigenvectors()};
 }
 

@@ -53,8 +53,7 @@ double slow_bending(const Shell& shell) {
 
 [[noreturn]] void refuse() {
     throw std::runtime_error(
-        "vibration: the stiffness is not finite; sherd check warns of materials and triangles that are "
-        "hardly meant");
+        "vibration: the stiffness is not finite; sherd check warns of implausible materials and triangles");
 }
 
 /// K, and the factor of K + shift M.

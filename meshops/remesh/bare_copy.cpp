@@ -16,7 +16,7 @@ Mesh bare_copy(const Mesh& mesh) {
         std::array<Vertex, 3> corners = face_corners(mesh, face);
         for (Vertex& corner : corners) corner = vertex[corner.idx()];
         if (copy.add_face(corners) == Mesh::null_face())
-            throw Error("remeshing: a face of the mesh does not fit to the others", Fault::run);
+            throw Error("remeshing: a face of the mesh does not fit the others", Fault::run);
     }
     return copy;
 }

@@ -213,7 +213,7 @@ const std::vector<BadInput> bad_meshes{
      triangle},
     {"negative_join", with_mesh("{ file = \"mesh.obj\", join = -1 }"), {"mesh.join: must be"}, triangle},
     {"join_of_words", with_mesh("{ file = \"mesh.obj\", join = \"all\" }"), {"mesh.join: must be"}, triangle},
-    {"wide_join", with_mesh("{ file = \"mesh.obj\", join = 5 }"), {"join those that are nearer"}, triangle},
+    {"wide_join", with_mesh("{ file = \"mesh.obj\", join = 5 }"), {"give a smaller distance"}, triangle},
     {"negative_remesh",
      with_mesh("{ file = \"mesh.obj\", remesh = -1 }"),
      {"mesh.remesh: must be"},

@@ -19,7 +19,7 @@ class Refusal:
     words: tuple
 
 
-OVERWHELMED = Refusal(1, ("the springs of explicit contact are overwhelmed",))
+OVERWHELMED = Refusal(1, ("the springs of explicit contact are too weak",))
 UNSTABLE = Refusal(1, ("explicit",))
 UNSOLVED = Refusal(1, ("cannot be solved",))
 NEITHER = Refusal(1, ("explicit", "and implicit steps from there cannot be solved, either"))

@@ -117,7 +117,7 @@ class Motions(unittest.TestCase):
         simulation = made(HELD, "implicit-euler")
         free = numpy.flatnonzero(~simulation.pinned)[:1]
         held = numpy.flatnonzero(simulation.pinned)[:1]
-        with self.assertRaisesRegex(sherd.Error, f"vertex {free[0]} cannot go as it is told"):
+        with self.assertRaisesRegex(sherd.Error, f"vertex {free[0]} cannot follow prescribed positions"):
             simulation.prescribe(free, simulation.positions[free], 1)
         with self.assertRaisesRegex(sherd.Error, "vertex -1"):
             simulation.prescribe([-1], simulation.positions[held], 1)

@@ -89,7 +89,7 @@ TEST_P(ByHand, PinnedVerticesGoAsTheyAreTold) {
     EXPECT_EQ(simulation.shell().mechanics().motions.size(), 2u);
     EXPECT_NE(test::thrown_by([&] {
                   simulation.prescribe(std::array{Index{2}}, places.leftCols(1), 1);
-              }).find("vertex 2 cannot go as it is told"),
+              }).find("vertex 2 cannot follow prescribed positions"),
               std::string::npos);
 }
 

@@ -86,15 +86,15 @@ TEST(Off, MistakesAreNamedWithTheirLine) {
     const auto expect = [](const std::string& text, const std::string& message) {
         EXPECT_NE(off_failure(text).find(message), std::string::npos) << off_failure(text) << "\nof " << text;
     };
-    expect(head + "300000000 0 1 2\n", "a.off:6: `300000000` corners were promised, the line has fewer");
+    expect(head + "300000000 0 1 2\n", "a.off:6: `300000000` corners were announced, but the line has fewer");
     expect(head + "3 0 1 x\n", "a.off:6: `x` is not a number");
     expect(head + "3 0 1 -1\n", "a.off:6: `-1` is no vertex number");
     expect(head + "3 0 1 3\n", "a.off:6: face 0: index out of range");
     expect("OFF\n3 1 0\n0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "a.off:3: a coordinate is missing");
     expect("OFF\n2000000000 1 0\n0 0 0\n", "promises 2000000000 vertices and 1 faces, and 6 bytes follow it");
     expect("OFF\nthree 1 0\n", "a.off:2: `three` is not a number");
-    expect("OFF\n1.5 1 0\n", "a.off:2: `1.5` cannot be understood as a number of vertices");
-    expect("SKEL\n3 1 0\n", "a.off:1: `SKEL` cannot be understood as OFF");
+    expect("OFF\n1.5 1 0\n", "a.off:2: `1.5` is not a number of vertices");
+    expect("SKEL\n3 1 0\n", "a.off:1: `SKEL` is not the start of an OFF file");
     expect("nOFF 4\n3 1 0\n", "4 coordinates for each vertex");
     expect("4OFF\n3 1 0\n0 0 0 0\n1 0 0 1\n0 1 0 1\n3 0 1 2\n", "a.off:3: vertex 0: a coordinate is NaN");
 }

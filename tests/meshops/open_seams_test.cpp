@@ -45,7 +45,7 @@ TEST_F(OpenSeams, NearlyJoinedEdgesAreJoinedWhereThatIsAskedFor) {
     expect_warning("2 vertices were joined with another within 2e-05 m");
     EXPECT_EQ(warnings.size(), 1U);
     EXPECT_EQ(connected_components(read("a.obj", two_quads(".00001"), joining(5e-6))).count, 2);
-    expect_failure("a.obj", two_quads(".00001"), "join those that are nearer", joining(0.6));
+    expect_failure("a.obj", two_quads(".00001"), "give a smaller distance", joining(0.6));
     // The inside of a sheet is not changed, however fine it is.
     const std::string fine = test::square + "v .5 .5 0\nv .5001 .5 0\n";
     EXPECT_EQ(read("b.obj", fine + "f 1 2 6\nf 1 6 5\nf 2 3 6\nf 6 3 5\nf 3 4 5\nf 4 1 5\n", joining(0.01))
@@ -63,7 +63,8 @@ TEST_F(OpenSeams, VerticesOnEdgesAreNamedWithTheLengthOfTheEdges) {
     EXPECT_EQ(connected_components(mesh).count, 2);
     expect_warning(
         "1 vertex lies on edges without dividing them (T-junctions; the first: vertex 7 on the edge of "
-        "vertices 0 and 1 at (1, 0, 0); edges of together 2 m), so that the sheet is open there; `join = ");
+        "vertices 0 and 1 at (1, 0, 0); edges with a total length of 2 m), so that the sheet is open there; "
+        "`join = ");
     // A soup whose vertices are joined first gives the same warning.
     read("b.obj", "v 0 0 0\nv 2 0 0\nv 0 1 0\nv 0 0 0\nv 1 0 0\nv 0 -1 0\nf 1 2 3\nf 5 4 6\n", repair);
     expect_warning("vertex 4 on the edge of vertices 0 and 1");

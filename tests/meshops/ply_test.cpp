@@ -46,13 +46,13 @@ TEST(Ply, EachMistakeOfAHeaderIsNamedWithItsLine) {
              {"element vertex 3", "element vertex", "a.ply:4: is no number of rows"},
              {"element vertex 3", "element vertex 3 4", "a.ply:4: `4` is one too many"},
              {"element vertex 3", std::string("element vert\0x 3", 16), "a.ply:4: element"},
-             {"element face", "element vertex", "a.ply:8: `vertex` is there already"},
-             {"property float y", "property float x", "a.ply:6: `x` is there already"},
+             {"element face", "element vertex", "a.ply:8: `vertex` is declared twice"},
+             {"property float y", "property float x", "a.ply:6: `x` is declared twice"},
              {"property float y", "property real y", "a.ply:6: `real` is no type of PLY"},
              {"property float y", "property float", "a.ply:6: the property has no name"},
              {"property float y", "property float w",
               "a.ply:4: element vertex of the PLY file needs a number `y`"},
-             {"list uchar int", "list float int", "a.ply:9: `float` cannot count a list"},
+             {"list uchar int", "list float int", "a.ply:9: `float` cannot be the type of a list's length"},
              {"list uchar int", "list uchar float",
               "a.ply:8: element face of the PLY file needs a list of vertex"},
              {"list uchar int", "int", "a.ply:8: element face of the PLY file needs a list of vertex"},
@@ -60,7 +60,7 @@ TEST(Ply, EachMistakeOfAHeaderIsNamedWithItsLine) {
              {"format ascii 1.0", "format asci 1.0", "a.ply:2: `asci` is no format of PLY"},
              {"format ascii 1.0\n", "", "has no line `format`"},
              {"end_header\n", "", "a.ply:10: `0` is no keyword"},
-             {"ply\n", "plyer\n", "a.ply:1: cannot be understood as PLY"}}) {
+             {"ply\n", "plyer\n", "a.ply:1: is not a PLY file"}}) {
         const std::string found = failure(replaced(good, from, to));
         if (to.find('\0') != to.npos)
             EXPECT_NE(found, "");
@@ -195,8 +195,7 @@ TEST(Ply, StripsOfTrianglesAreReadWhereThereAreNoFaces) {
     const PolygonSoup both =
         parse(header + faces_of_header + "end_header\n" + points + "4 0 1 2 3\n3 0 1 2\n");
     EXPECT_EQ(both.polygons.size(), 1U) << "strips beside faces are the faces once more";
-    EXPECT_EQ(both.warnings,
-              (std::vector<std::string>{"1 row of element `tristrips` was passed over (line 7)"}));
+    EXPECT_EQ(both.warnings, (std::vector<std::string>{"1 row of element `tristrips` was skipped (line 7)"}));
     EXPECT_EQ(failure(header + "end_header\n" + points + "3 0 1 9\n"),
               "a.ply:16: face 0: index out of range: there is no vertex 9, the file has 6 (numbered from 0)");
 }

@@ -87,7 +87,7 @@ TEST_F(ReadMesh, ReadsWhatObjFilesHold) {
 TEST_F(ReadMesh, TellsOfMaterialsWhoseNameIsTooLong) {
     const std::string library = "mtllib " + std::string(300, 'm') + "\n" + test::square;
     read("a.obj", library + "usemtl red\nf 1 2 3\nf 1 3 4\n");
-    expect_warning("mmm' is not there; they have names only");
+    expect_warning("mmm' does not exist; its materials have names only");
     read("b.obj", library + "f 1 2 3\nf 1 3 4\n");
     EXPECT_TRUE(warnings.empty()) << "it has no materials that could miss it";
 }

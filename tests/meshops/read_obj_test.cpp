@@ -41,9 +41,8 @@ TEST_F(ReadObj, ReadsObjHoweverItIsSetOut) {
 TEST_F(ReadObj, SaysWhichObjStatementsItPassesOver) {
     read("a.obj", test::square + "l 1 2\nl 2 3\nfrobnicate 3\nvn 0 0 1\ns 1\nf 1 2 3 4\n");
     ASSERT_EQ(warnings.size(), 2U);
-    expect_warning("2 lines were passed over, of lines (`l`) (the first: line 5");
-    expect_warning(
-        "1 line was passed over, of statements that Sherd does not know (the first: line 7, `frobnicate`)");
+    expect_warning("2 lines were skipped: polylines (`l`) (the first: line 5");
+    expect_warning("1 line was skipped: unknown statements (the first: line 7, `frobnicate`)");
     expect_failure("lines.obj", test::square + "l 1 2\n", "no faces (`f`), only lines");
     expect_failure("free.obj", test::square + "cstype bezier\nsurf 0 1 0 1 1 2 3 4\nend\n", "free-form");
 }

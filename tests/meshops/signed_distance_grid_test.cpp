@@ -58,7 +58,7 @@ TEST(SignedDistanceGrid, AMeshOfASphereIsASphere) {
 TEST(SignedDistanceGrid, VoxelsThatOpenVdbDoesNotTakeAreNamed) {
     const Mesh small = generate_sphere(2e-4, {.edge_length = 5e-5});
     EXPECT_EQ(thrown_by([&] { SignedDistanceGrid::of_mesh(small, 1e-5, 1e-5); }),
-              "its voxels of 1e-05 m are finer than OpenVDB takes: make them larger, 2e-05 m at least");
+              "its voxels of 1e-05 m are finer than OpenVDB allows: make them larger, 2e-05 m at least");
     EXPECT_NEAR(SignedDistanceGrid::of_mesh(small, SignedDistanceGrid::finest, 1e-5).volume(),
                 4.0 / 3 * 3.14159265 * 8e-12, 2e-12);
 }

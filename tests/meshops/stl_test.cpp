@@ -74,10 +74,10 @@ TEST_F(ReadStl, TakesTheTrianglesThatAreThere) {
     EXPECT_TRUE(warnings.empty());
     for (const std::uint32_t count : {0U, 1U, 0xffffffffU}) {
         EXPECT_EQ(triangles(read("a.stl", stl_of(count))), square_faces);
-        expect_warning("says that it has " + std::to_string(count) + " triangles, and has room for 2");
+        expect_warning("says that it has " + std::to_string(count) + " triangles, but the file holds 2");
     }
     EXPECT_EQ(triangles(read("a.stl", stl_of(2) + "made by a mill")), square_faces);
-    expect_warning("14 bytes behind the last triangle were passed over");
+    expect_warning("14 bytes after the last triangle were skipped");
     EXPECT_EQ(triangles(read("a.stl", stl_of(2, "\xEF\xBB\xBF"))), square_faces);
     expect_failure("a.stl", stl_of(3), "truncated");
 }

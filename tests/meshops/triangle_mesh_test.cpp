@@ -47,14 +47,14 @@ TEST(TriangleMesh, NamesWhatIsWrong) {
     EXPECT_EQ(message_of({{0, 1, -1}}, 4), "face 0: vertex -1 does not exist; there are 4, numbered from 0");
     EXPECT_EQ(message_of({{0, 1, 2}}, 4), "vertex 3: no face uses it; leave it out");
     EXPECT_EQ(message_of({{0, 1, 2}, {0, 2, 3}, {3, 0, 3}}, 4),
-              "face 2: its vertices 3, 0 and 3 have no area between them");
+              "face 2: its vertices 3, 0 and 3 enclose no area");
     EXPECT_EQ(message_of({{0, 1, 2}, {0, 2, 3}, {2, 3, 0}}, 4),
               "face 2: an earlier face has the same vertices 2, 3 and 0");
     EXPECT_EQ(message_of({{0, 1, 2}, {0, 2, 3}, {0, 2, 4}}, 5),
               "face 2: is the third face at the edge of vertices 0 and 2, beside faces 0 and 1; a sheet has "
               "two at most");
     EXPECT_EQ(message_of({{0, 1, 2}, {0, 2, 3}, {0, 5, 6}, {0, 6, 4}}, 7),
-              "vertex 0: faces meet there that no edge joins; give those on each side a vertex of their own");
+              "vertex 0: faces meet there that no edge joins; give each side a vertex of its own");
     EXPECT_EQ(message_of({{0, 1, 2}, {0, 2, 3}, {0, 3, 5}, {5, 0, 6}}, 7).find("vertex 4: no face"), 0u);
     EXPECT_EQ(
         message_of({{0, 1, 2}, {0, 2, 3}, {1, 0, 4}, {3, 0, 4}}, 5),
@@ -69,7 +69,8 @@ TEST(TriangleMesh, ABandWithOneSideIsRefused) {
     std::vector<Eigen::Vector3d> ring;
     for (int i = 0; i < 5; ++i) ring.emplace_back(std::cos(1.2 * i), std::sin(1.2 * i), 0.1 * i * i);
     const Triangles band{{0, 1, 2}, {1, 3, 2}, {2, 3, 4}, {3, 0, 4}, {4, 0, 1}};
-    EXPECT_NE(message_of(band, 5, ring).find("is of a surface with one side only"), std::string::npos)
+    EXPECT_NE(message_of(band, 5, ring).find("belongs to a surface that has only one side"),
+              std::string::npos)
         << message_of(band, 5, ring);
 }
 

@@ -144,7 +144,7 @@ void ExplicitBodies::add_surfaces(double length, std::span<const Eigen::Isometry
         if (met->passes(places) && !points_hold(*met, obstacle_places))
             throw std::runtime_error(
                 "contact: a free body passes through another one, or through an obstacle: the springs of "
-                "explicit contact are overwhelmed; a stiffer body, less speed, or implicit steps may help");
+                "explicit contact are too weak; a stiffer body, less speed, or implicit steps may help");
         // Each pair may stop the sliding of all.
         const double sharing = met->coefficient() > 0 ? met->count_active(places) : 0;
         met->each_active(places, [&](const ContactPair& pair, const PairPositions& at) {

@@ -217,8 +217,8 @@ bool ExplicitContact::end(const StepContext& step, const Positions& end_of_sheet
     bodies.look(now);
     if (options.barriers_follow && !leaves_room_for_barriers(end_of_sheets))
         throw std::runtime_error(
-            "contact: a sheet is pressed so far into another one, an obstacle or a body that implicit steps "
-            "could not go on from there: the springs of explicit contact are overwhelmed; a stiffer or a "
+            "contact: a sheet is pressed so deep into another one, an obstacle or a body that implicit steps "
+            "could not continue from there: the springs of explicit contact are too weak; a stiffer or a "
             "thicker sheet, or less speed, may help");
     if (!passes(step, end_of_sheets)) {
         relax(end_of_sheets);
@@ -231,7 +231,7 @@ bool ExplicitContact::end(const StepContext& step, const Positions& end_of_sheet
 void ExplicitContact::refuse_passage() {
     throw std::runtime_error(
         "contact: a sheet passes through another one, or an obstacle or a free body through a sheet: the "
-        "springs of explicit contact are overwhelmed; a stiffer or a thicker sheet, less speed, or implicit "
+        "springs of explicit contact are too weak; a stiffer or a thicker sheet, less speed, or implicit "
         "steps may help");
 }
 

@@ -122,7 +122,8 @@ TEST(SceneObstacle, AMeshThatEnclosesNothingIsRefused) {
     EXPECT_NE(missing.err.find("scene.toml:7: obstacle.thing.mesh: "), std::string::npos) << missing.err;
     const ProgramResult no_grid = checked(octahedron, "vdb = { file = \"solid.obj\" }");
     EXPECT_EQ(no_grid.exit_code, 2);
-    EXPECT_NE(no_grid.err.find("solid.obj: damaged OpenVDB file, or none"), std::string::npos) << no_grid.err;
+    EXPECT_NE(no_grid.err.find("solid.obj: damaged OpenVDB file, or not OpenVDB at all"), std::string::npos)
+        << no_grid.err;
     const ProgramResult fine =
         checked(octahedron + "f 1 4 6\n", "mesh = { file = \"solid.obj\", voxel = 1e-5 }");
     EXPECT_EQ(fine.exit_code, 2);

@@ -346,7 +346,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadMap{"no_vdb", "map = { vdb = \"no.vdb\" }", "map.vdb: no.vdb: cannot read the grids: No such"},
         BadMap{"damaged_vdb", "map = { vdb = \"half.vdb\" }", "map.vdb: half.vdb: damaged OpenVDB file"},
         BadMap{"vdb_is_png", "map = { vdb = \"good.png\" }",
-               "map.vdb: good.png: damaged OpenVDB file, or none"},
+               "map.vdb: good.png: damaged OpenVDB file, or not OpenVDB at all"},
         BadMap{"two_grids", "map = { vdb = \"two.vdb\" }",
                "map.vdb: two.vdb: holds several float grids: name one of 'first', 'second'"},
         BadMap{"unknown_grid", "map = { vdb = \"two.vdb\", grid = \"third\" }",
