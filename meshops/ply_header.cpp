@@ -37,8 +37,7 @@ PlyType read_type(TextLine& line) {
 }
 
 void require_end(TextLine& line, const std::string& form) {
-    if (!line.is_at_end())
-        line.fail("is one word too many in the PLY header; write " + form, line.next_word());
+    if (!line.is_at_end()) line.fail("is one too many in the PLY header; write " + form, line.next_word());
 }
 
 PlyFormat read_format(TextLine& line) {

@@ -29,9 +29,9 @@ TEST_F(OpenSeams, NearlyJoinedEdgesAreNamedWithTheirLength) {
     EXPECT_EQ(connected_components(read("a.obj", hair, repair)).count, 2);
     expect_warning(
         "2 edges lie within 1e-05 m of others without being joined to them (the first: vertices 1 and 2 at "
-        "(1, 0.5, 0); together 2 m), so that the sheet is open there; `join = 2e-05` (m) on the mesh");
+        "(1, 0.5, 0); total length 2 m), so that the sheet is open there; `join = 2e-05` (m) on the mesh");
     read("a.obj", hair, {.repair = Repair::all, .unit = 0.001});
-    expect_warning("together 0.002 m), so that the sheet is open there; `join = 2e-08`");
+    expect_warning("total length 0.002 m), so that the sheet is open there; `join = 2e-08`");
     read("a.obj", two_quads(".1"), repair);
     EXPECT_TRUE(warnings.empty()) << "a gap that can be seen may be meant: " << warnings[0];
     read("a.obj", hair, {.repair = Repair::all, .join_advice = ""});

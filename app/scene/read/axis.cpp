@@ -49,20 +49,21 @@ void complete_axis(TomlTable& table, MaterialAxis& axis) {
 constexpr std::array<std::string_view, 2> encodings{"hue", "vector"};
 
 constexpr std::array axis_keys{
-    special_key("direction", Form::vector, "this direction of the mesh", {.otherwise = "`[1, 0, 0]`"},
-                read_axis_direction),
-    special_key("degrees", Form::number, "turns the direction about the normal",
+    special_key("direction", Form::vector, "the axis, in the frame of the mesh, projected to each face",
+                {.otherwise = "`[1, 0, 0]`"}, read_axis_direction),
+    special_key("degrees", Form::number, "angle by which the direction is turned about the face's normal",
                 {.unit = "degrees", .otherwise = "0"}, read_degrees),
     special_key("texture", Form::file, "a PNG file, looked up at the middle of each face",
                 {.what = "the name of a PNG file", .otherwise = "none"}, read_axis_texture),
-    special_key("encoding", Form::choice, "how the texture says an angle",
+    special_key("encoding", Form::choice, "how the texture encodes an angle",
                 {.choices = encodings, .otherwise = "`\"hue\"`"}, read_encoding),
-    special_key("field", Form::flag, "`true`: the face properties `axis_x`, `axis_y`, `axis_z` of a PLY file",
+    special_key("field", Form::flag,
+                "`true`: the axis is in the face properties `axis_x`, `axis_y`, `axis_z` of a PLY file",
                 {.otherwise = "`false`"}, read_field)};
 
 }  // namespace
 
-constinit const Section<MaterialAxis> axis_section{"Where the first material axis points", axis_keys,
+constinit const Section<MaterialAxis> axis_section{"Direction of the first material axis", axis_keys,
                                                    complete_axis};
 
 }  // namespace sherd

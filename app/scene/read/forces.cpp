@@ -42,32 +42,31 @@ void complete_load(TomlTable& table, LoadSpec& load) {
 constexpr KeyRules some_sheet{.what = "the name of a sheet", .otherwise = "all"};
 
 constexpr std::array size_keys{
-    special_key("point", Form::vector, "on each vertex of the selection", {.unit = "N"}, read_force),
+    special_key("point", Form::vector, "force on each vertex of the selection", {.unit = "N"}, read_force),
     special_key("line", Form::vector,
-                "per length at rest, along the boundary: edges with both ends in the selection",
+                "force per length at rest, on edges of the boundary with both ends in the selection",
                 {.unit = "N/m"}, read_force),
     special_key("area", Form::vector,
-                "per area at rest: faces with all vertices in the selection; keeps its direction",
+                "force per area at rest, on faces with all vertices in the selection; keeps its direction",
                 {.unit = "N/m^2"}, read_force),
     special_key("pressure", Form::number,
-                "along the current normals of the faces with all vertices in the selection", {.unit = "Pa"},
-                read_amount<&LoadSpec::pressure>),
-    special_key("moment", Form::number, "per length at rest along the boundary, as for `line`",
+                "pressure along the current normals of faces with all vertices in the selection",
+                {.unit = "Pa"}, read_amount<&LoadSpec::pressure>),
+    special_key("moment", Form::number, "moment per length at rest, on edges of the boundary, as for `line`",
                 {.unit = "N m/m"}, read_amount<&LoadSpec::moment>)};
 constexpr auto load_keys =
     joined(size_keys, embedded<selection_keys, &LoadSpec::on>(),
            std::array{key<&LoadSpec::sheet>("sheet", "name of the sheet that it acts on", some_sheet),
-                      key<&LoadSpec::ramp>("ramp", "grows linearly to its full size in this time, then stays",
+                      key<&LoadSpec::ramp>("ramp", "time in which the load grows linearly to its full size",
                                            {.unit = "s", .range = not_negative})});
-constexpr Section<LoadSpec> load_section{"What pushes and pulls", load_keys, complete_load};
+constexpr Section<LoadSpec> load_section{"Loads", load_keys, complete_load};
 
 constexpr std::array gust_keys{
-    key<&GustSpec::amplitude>("amplitude", "root mean square of its magnitude",
+    key<&GustSpec::amplitude>("amplitude", "root mean square of the gusts' magnitude",
                               {.unit = "m/s", .range = not_negative, .required = true}),
-    key<&GustSpec::time>("time", "how long a gust lasts for whoever goes with the wind",
+    key<&GustSpec::time>("time", "duration of a gust, in a frame that moves with the wind",
                          {.unit = "s", .range = positive, .required = true}),
-    key<&GustSpec::length>("length", "how large a gust is",
-                           {.unit = "m", .range = positive, .required = true})};
+    key<&GustSpec::length>("length", "size of a gust", {.unit = "m", .range = positive, .required = true})};
 constexpr Section<GustSpec> gust_section{"Gusts", gust_keys};
 
 void complete_wind(TomlTable& table, WindSpec& wind) {
@@ -75,29 +74,31 @@ void complete_wind(TomlTable& table, WindSpec& wind) {
 }
 
 constexpr std::array wind_keys{
-    key<&WindSpec::wind, &Wind::velocity>("velocity", "where the air goes", {.unit = "m/s"}),
+    key<&WindSpec::wind, &Wind::velocity>("velocity", "velocity of the air", {.unit = "m/s"}),
     key<&WindSpec::wind, &Wind::ramp>("ramp",
-                                      "velocity and gusts grow linearly to their full size in this time",
+                                      "time in which velocity and gusts grow linearly to their full size",
                                       {.unit = "s", .range = not_negative}),
-    key<&WindSpec::wind, &Wind::density>("density", "that of air at 15 °C is the default; water has 1000",
+    key<&WindSpec::wind, &Wind::density>("density",
+                                         "density; the default is that of air at 15 °C, water has 1000",
                                          {.unit = "kg/m^3", .range = positive}),
-    key<&WindSpec::wind, &Wind::drag>("drag", "drag coefficient of a face across the wind",
+    key<&WindSpec::wind, &Wind::drag>("drag", "drag coefficient of a face at right angles to the wind",
                                       {.range = not_negative}),
     key<&WindSpec::wind, &Wind::lift>(
-        "lift", "rise of the normal force's coefficient with the angle of a face to the wind (1/rad)",
+        "lift", "slope of the normal force's coefficient over the angle of a face to the wind (1/rad)",
         {.range = not_negative}),
-    key<&WindSpec::wind, &Wind::friction>("friction", "coefficient along the face, of both sides together",
+    key<&WindSpec::wind, &Wind::friction>("friction",
+                                          "coefficient of the force along the face, for both sides together",
                                           {.range = not_negative}),
-    table_key<gust_section, &WindSpec::gust>("gust", "added to `velocity`", {.otherwise = "none"}),
+    table_key<gust_section, &WindSpec::gust>("gust", "gusts, added to `velocity`", {.otherwise = "none"}),
     key<&WindSpec::sheet>("sheet", "name of the sheet that it acts on; each sheet is in one wind only",
                           some_sheet)};
-constexpr Section<WindSpec> wind_section{"The air", wind_keys, complete_wind};
+constexpr Section<WindSpec> wind_section{"Wind", wind_keys, complete_wind};
 
 constexpr std::array force_keys{
     key<&Scene::simulation, &SimulationOptions::stepper, &StepperOptions::gravity>(
-        "gravity", "acceleration of all that falls", {.unit = "m/s^2"}),
-    table_key<load_section, &Scene::loads>("load", "what pushes and pulls", {.otherwise = "none"}),
-    table_key<wind_section, &Scene::winds>("wind", "the air", {.otherwise = "none"})};
+        "gravity", "acceleration of gravity", {.unit = "m/s^2"}),
+    table_key<load_section, &Scene::loads>("load", "loads on sheets", {.otherwise = "none"}),
+    table_key<wind_section, &Scene::winds>("wind", "wind on sheets", {.otherwise = "none"})};
 
 /// Reports names of sheets that the scene does not have, and sheets in two winds.
 void complete_forces(TomlTable& table, Scene& scene) {
@@ -108,15 +109,15 @@ void complete_forces(TomlTable& table, Scene& scene) {
         for (std::size_t other = 0; other < i; ++other)
             if (scene.winds[i].sheet == scene.winds[other].sheet || scene.winds[i].sheet.empty() ||
                 scene.winds[other].sheet.empty())
-                winds[i].report("sheet",
-                                fmt::format("a sheet is in the wind of {} already: give each wind the "
-                                            "name of another sheet",
-                                            scene.winds[other].where));
+                winds[i].report(
+                    "sheet",
+                    fmt::format("a sheet is in the wind of {} already: name another sheet in each wind",
+                                scene.winds[other].where));
     }
 }
 
 }  // namespace
 
-constinit const Section<Scene> force_section{"Gravity, loads and the air", force_keys, complete_forces};
+constinit const Section<Scene> force_section{"Gravity, loads and wind", force_keys, complete_forces};
 
 }  // namespace sherd

@@ -90,11 +90,10 @@ constexpr auto map_keys = joined(
                    "range", "`[a, b]`: the factor is `a` where the value is 0 and `b` where it is 1",
                    {.range = not_negative, .otherwise = "the value itself", .excludes = {"value"}}),
                special_key("value", Form::choice,
-                           "nothing breaks where the value is a half or more, and all else as it is",
-                           {.choices = map_values, .otherwise = "a factor"}, read_never),
+                           "nothing breaks where the value is 0.5 or more; elsewhere nothing changes",
+                           {.choices = map_values, .otherwise = "the value is a factor"}, read_never),
                key<&StrengthMap::of>("of", "what is multiplied", {.choices = laws, .excludes = {"value"}})});
-constexpr Section<StrengthMap> map_section{"Strength or toughness from place to place", map_keys,
-                                           complete_map};
+constexpr Section<StrengthMap> map_section{"A map of strength or toughness", map_keys, complete_map};
 
 void read_edges(TomlTable& table, const KeyInfo& key, Score& score) {
     if (table.has(key.name)) score.kind = ScoreFile{table.file(key.name, key.rules.what)};
@@ -118,23 +117,26 @@ void complete_edges(TomlTable& table, Score& score) {
 constexpr std::array edge_keys{
     special_key("edges", Form::file, "a list of edges of this mesh file, as for `sherd cut`",
                 {.what = "the name of a list of edges"}, read_edges),
-    special_key("line", Form::rows, "`[[x, y, z], [x, y, z], ...]`, in the mesh's frame, before `place`",
+    special_key("line", Form::rows,
+                "`[[x, y, z], [x, y, z], ...]`, a polyline in the mesh's frame, before `place`",
                 {.unit = "m", .excludes = {"edges"}, .least_rows = 2, .columns = 3}, read_line)};
-constexpr auto score_keys =
-    joined(edge_keys,
-           std::array{key<&Score::factor>("factor", "what the strength, or the toughness, is multiplied by",
-                                          {.range = positive, .required = true}),
-                      key<&Score::of>("of", "what is multiplied; `\"toughness\"`: the line leads cracks",
-                                      {.choices = laws})});
+constexpr auto score_keys = joined(
+    edge_keys,
+    std::array{
+        key<&Score::factor>("factor", "factor of the strength, or of the toughness",
+                            {.range = positive, .required = true}),
+        key<&Score::of>("of", "property that is multiplied; with `\"toughness\"` the line guides cracks",
+                        {.choices = laws})});
 constexpr Section<Score> score_section{"A scored line", score_keys, complete_edges};
-constexpr Section<Score> crack_section{"A crack that is there from the start", edge_keys, complete_edges};
+constexpr Section<Score> crack_section{"An initial crack", edge_keys, complete_edges};
 
 void check_strength(TomlTable& table, const FractureSpec& fracture) {
     const bool given = table.has("strength"), in_strain = table.has("strain");
     if (in_strain && (given || fracture.has_preset))
         table.report(given ? "strength" : "preset", "conflicts with strain: give one of them");
     if (!in_strain && !given && !fracture.has_preset)
-        table.report("", "needs strain (1/m) or strength (Pa): what the sheet withstands; or preset = true");
+        table.report("",
+                     "needs strain (1/m) or strength (Pa), above which the sheet breaks; or preset = true");
 }
 
 /// Checks keys of the toughness, which needs a strength (Pa) and conflicts with crack_tip.
@@ -148,9 +150,9 @@ void check_toughness(TomlTable& table, const FractureSpec& fracture) {
         return;
     }
     if (!table.has("strength") && !fracture.has_preset)
-        table.report(given, "needs strength (Pa), over which cracks are born, instead of strain");
+        table.report(given, "needs strength (Pa), above which cracks start, instead of strain");
     if (table.has("crack_tip"))
-        table.report("crack_tip", "conflicts with toughness, by which the tips of cracks go on");
+        table.report("crack_tip", "conflicts with toughness, which decides when crack tips propagate");
 }
 
 /// Reports maps and scores of the toughness if the sheet has none.
@@ -177,49 +179,49 @@ constexpr Range above_0_to_1{.least = 0, .most = 1, .with_most = true};
 
 constexpr std::array fracture_keys{
     special_key("preset", Form::flag,
-                "`true`: breaks like the preset of its material; keys that are given win",
+                "`true`: takes the values of the material's preset; other keys override them",
                 {.otherwise = "`false`"}, read_fracture_preset),
     special_key("strain", Form::number | Form::pair,
-                "times half the thickness: the tensile strain at the surface that a hinge bears",
+                "threshold of a hinge: times half the thickness, it is the tensile strain at the surface",
                 {.unit = "1/m", .range = positive}, read_strain),
-    special_key("strength", Form::number | Form::pair, "the tensile stress at the surface that a hinge bears",
-                {.unit = "Pa", .range = positive}, read_strength),
+    special_key("strength", Form::number | Form::pair,
+                "threshold of a hinge: the tensile stress at the surface", {.unit = "Pa", .range = positive},
+                read_strength),
     special_key("measure", Form::choice,
-                "`\"bending\"`, with `strain`: by the hinge's bending strain alone, the paper's measure",
+                "`\"bending\"`, with `strain`: the hinge's bending strain alone is compared, as in the paper",
                 {.choices = measures, .otherwise = "`\"surface\"`"}, read_measure),
     key<&FractureSpec::strength, &Strength::crack_tip_factor>(
-        "crack_tip", "times the strength of a hinge that would continue a crack; 1: no difference",
+        "crack_tip", "factor of the strength of a hinge that would continue a crack; 1: no difference",
         {.range = above_0_to_1}),
     special_key("toughness", Form::number | Form::pair,
-                "K_Ic, by which cracks go on; needs `strength`; `[along, across]`",
+                "K_Ic, above which cracks propagate; needs `strength`; `[along, across]`",
                 {.unit = "Pa m^0.5", .range = positive, .otherwise = "none"}, read_toughness),
     special_key("fracture_energy", Form::number, "G_c, instead of `toughness`: K_Ic = sqrt(Y G_c)",
                 {.unit = "J/m^2", .range = positive, .otherwise = "none", .excludes = {"toughness"}},
                 read_fracture_energy),
     key<&FractureSpec::speed_limit>(
-        "speed_limit", "that no tip of a crack exceeds",
-        {.unit = "m/s", .range = positive, .otherwise = "by the material: 0.45 of the speed of shear waves"}),
-    key<&FractureSpec::path>("path",
-                             "whether cracks by toughness cut the mesh along their way, or keep to its edges",
-                             {.choices = paths}),
+        "speed_limit", "largest speed of a crack tip",
+        {.unit = "m/s", .range = positive, .otherwise = "0.45 of the material's shear wave speed"}),
+    key<&FractureSpec::path>(
+        "path", "whether cracks with a toughness cut the mesh along their path or follow its edges",
+        {.choices = paths}),
     key<&FractureSpec::weibull_modulus>("weibull", "Weibull modulus of the scatter between hinges",
                                         {.range = positive, .otherwise = "no scatter"}),
-    key<&FractureSpec::weibull_area>("weibull_area", "area of sheet that has the mean strength that is given",
-                                     {.unit = "m^2", .range = positive, .otherwise = "that of each hinge"}),
+    key<&FractureSpec::weibull_area>(
+        "weibull_area", "area of sheet whose mean strength is the given one",
+        {.unit = "m^2", .range = positive, .otherwise = "the area of each hinge"}),
     table_key<map_section, &FractureSpec::maps>(
-        "map", "strength or toughness from place to place, from a texture, an OpenVDB grid or a PLY file",
-        {.otherwise = "the same everywhere"}),
+        "map", "maps of strength or toughness, from a texture, an OpenVDB grid or a PLY file",
+        {.otherwise = "uniform"}),
     table_key<score_section, &FractureSpec::scores>("score", "scored lines", {.otherwise = "none"}),
-    table_key<crack_section, &FractureSpec::cracks>("crack", "cracks that are there from the start",
-                                                    {.otherwise = "none"}),
+    table_key<crack_section, &FractureSpec::cracks>("crack", "initial cracks", {.otherwise = "none"}),
     key<&FractureSpec::art_direction, &ArtDirection::after>(
-        "after", "nothing breaks before this time (in statics, this load factor), whatever it bears",
+        "after", "time (in statics, load factor) before which nothing breaks, whatever the stress",
         {.unit = "s", .range = not_negative}),
     key<&FractureSpec::art_direction, &ArtDirection::smallest>(
-        "smallest",
-        "no piece comes off that is smaller than a square of this side; not with `rule = \"paper\"`",
+        "smallest", "side of a square; smaller pieces do not come off; not with `rule = \"paper\"`",
         {.unit = "m", .range = positive, .otherwise = "any"})};
-constexpr Section<FractureSpec> fracture_section{"What a sheet withstands", fracture_keys, complete_fracture};
+constexpr Section<FractureSpec> fracture_section{"Fracture", fracture_keys, complete_fracture};
 
 }  // namespace
 

@@ -23,19 +23,21 @@ void complete_gauge(TomlTable& table, GaugeSpec& gauge) {
 }
 
 constexpr std::array gauge_keys{
-    key<&GaugeSpec::name>("name", "of letters, digits, `_` and `-`: names its group in the recording",
+    key<&GaugeSpec::name>("name",
+                          "name of the gauge and of its group in the recording: letters, digits, `_` and `-`",
                           {.what = "the name of the gauge", .required = true}),
-    key<&GaugeSpec::at>("at",
-                        "the point of the sheets, as placed, that is nearest, up to an edge length away",
-                        {.unit = "m", .required = true}),
-    key<&GaugeSpec::sheet>("sheet", "name of the sheet that it is on",
+    key<&GaugeSpec::at>(
+        "at",
+        "place of the gauge; the nearest point of the placed sheets is taken, up to an edge length away",
+        {.unit = "m", .required = true}),
+    key<&GaugeSpec::sheet>("sheet", "name of the gauge's sheet",
                            {.what = "the name of a sheet", .otherwise = "the nearest"}),
-    special_key("record", Form::names, "what is recorded of the point and of its face",
+    special_key("record", Form::names, "quantities recorded at the point and in its face",
                 {.choices = readings, .otherwise = "`[\"displacement\"]`"}, read_record)};
 
 }  // namespace
 
-constinit const Section<GaugeSpec> gauge_section{"A point at which something is measured", gauge_keys,
-                                                 complete_gauge};
+constinit const Section<GaugeSpec> gauge_section{"A gauge: a point at which quantities are measured",
+                                                 gauge_keys, complete_gauge};
 
 }  // namespace sherd

@@ -14,13 +14,13 @@ void read_property(TomlTable& table, const KeyInfo& key, MapSource& source);
 /// Keys of the source of the values of a map of a sheet.
 inline constexpr std::array map_source_keys{
     special_key("texture", Form::file,
-                "values from 0 (black) to 1, over the texture coordinates of the mesh: a PNG file",
+                "values from 0 (black) to 1 (white), in a PNG file over the mesh's texture coordinates",
                 {.what = "the name of a PNG file", .excludes = {"vdb", "property"}}, read_texture),
     special_key("vdb", Form::file, "values of a float grid, in the frame and unit of the mesh file",
                 {.what = "the name of an OpenVDB file", .excludes = {"property"}}, read_vdb),
     special_key("grid", Form::text, "the name of the grid in the file of `vdb`",
                 {.what = "the name of a float grid", .otherwise = "the only float grid"}, read_grid),
-    special_key("property", Form::text, "a number that the mesh's PLY file has for each vertex",
+    special_key("property", Form::text, "values that the mesh's PLY file has for each vertex",
                 {.what = "the name of a property of vertices"}, read_property)};
 
 /// Reports a map without source. Returns the place of the source, "FILE:LINE: dotted.key".

@@ -47,9 +47,9 @@ constexpr auto thickness_keys =
            std::array{key<&ThicknessMap::range>(
                           "range", "`[a, b]`: `a` where the value is 0 and `b` where it is 1, linear between",
                           {.unit = "m", .range = positive, .otherwise = "by `scale`"}),
-                      key<&ThicknessMap::scale>("scale", "thickness of a value of 1",
+                      key<&ThicknessMap::scale>("scale", "thickness where the value is 1",
                                                 {.unit = "m", .range = positive, .excludes = {"range"}})});
-constexpr Section<ThicknessMap> thickness_section{"Thickness from place to place", thickness_keys,
+constexpr Section<ThicknessMap> thickness_section{"A map of the thickness", thickness_keys,
                                                   complete_thickness};
 
 void read_thickness(TomlTable& table, const KeyInfo& key, SheetSpec& sheet) {
@@ -117,7 +117,7 @@ void check_constants(TomlTable& table, const Material& material) {
 
 void complete_material(TomlTable& table, SheetSpec& sheet) {
     if (sheet.material.tempered > 0 && !is_isotropic(sheet.material))
-        table.report("tempered", "needs a material that is alike in all directions");
+        table.report("tempered", "needs an isotropic material");
     const bool has_unknown_preset = sheet.preset != nullptr && sheet.preset->name.empty();
     if (!has_unknown_preset) check_constants(table, sheet.material);
 }
@@ -126,13 +126,13 @@ constexpr std::array<std::string_view, 2> calibrations{"third", "paper"};
 constexpr std::string_view by_preset = "that of the preset; without one it is required";
 
 constexpr std::array material_keys{
-    table_key<axis_section, &SheetSpec::axis>("axis", "where the first material axis points",
+    table_key<axis_section, &SheetSpec::axis>("axis", "direction of the first material axis",
                                               {.otherwise = "`{ degrees = 0 }`"}),
-    special_key("preset", Form::text, "a material by name; keys that are given win over it",
+    special_key("preset", Form::text, "name of a material; other keys override its values",
                 {.what = "the name of a preset", .otherwise = "none"}, read_preset),
-    special_key("density", Form::number, "mass of a volume",
+    special_key("density", Form::number, "mass per volume",
                 {.unit = "kg/m^3", .range = positive, .otherwise = by_preset}, read_density),
-    special_key("thickness", Form::number | Form::table, "a number, or a map: thick here and thin there",
+    special_key("thickness", Form::number | Form::table, "thickness: a number, or a map if it varies",
                 {.unit = "m", .range = positive, .otherwise = by_preset}, read_thickness, inside_thickness),
     special_key("young", Form::number | Form::pair,
                 "Young's modulus; `[Y0, Y1]`: along and across the material's axis",
@@ -140,22 +140,22 @@ constexpr std::array material_keys{
     key<&SheetSpec::material, &Material::shear>(
         "shear", "shear modulus G01",
         {.unit = "Pa", .range = positive, .otherwise = "√(Y0 Y1) / (2 (1 + √(ν01 ν10)))"}),
-    special_key("poisson", Form::number, "Poisson's ratio: isotropic, between -1 and 0.5; otherwise ν01",
+    special_key("poisson", Form::number, "Poisson's ratio: between -1 and 0.5 if isotropic; otherwise ν01",
                 {.otherwise = "that of the preset, or 0.3"}, read_poisson),
     special_key("young01", Form::number, "Y01 = ν01 Y1, instead of `poisson`",
                 {.unit = "Pa", .excludes = {"poisson"}}, read_young01),
     key<&SheetSpec::material, &Material::calibration>(
-        "calibration", "of the paper's hinges: a third of the plate's rigidity, or `\"paper\"`: all of it",
+        "calibration",
+        "rigidity of the paper's hinges: a third of the plate's, or with `\"paper\"` all of it",
         {.choices = calibrations}),
     key<&SheetSpec::material, &Material::tempered>(
-        "tempered", "compression at the surfaces, which tension within balances, as in tempered glass",
+        "tempered", "compressive stress at the surfaces, balanced by tension inside, as in tempered glass",
         {.unit = "Pa", .range = not_negative}),
-    special_key("yield", Form::number, "von Mises stress beyond which bends are kept",
+    special_key("yield", Form::number, "von Mises stress above which bending is plastic",
                 {.unit = "Pa", .range = positive, .otherwise = "that of the preset"}, read_yield)};
 
 }  // namespace
 
-constinit const Section<SheetSpec> material_section{"What a sheet is made of", material_keys,
-                                                    complete_material};
+constinit const Section<SheetSpec> material_section{"Material of a sheet", material_keys, complete_material};
 
 }  // namespace sherd

@@ -35,11 +35,12 @@ constexpr Range feature_degrees{.least = 0, .most = 180, .with_most = true};
 constexpr std::array remesh_keys{
     key<&RemeshOptions::edge_length>("edge_length", "target length of the edges",
                                      {.unit = "m", .range = positive, .required = true}),
-    key<&RemeshOptions::features>("features", "edges that bend by more keep their shape",
+    key<&RemeshOptions::features>("features",
+                                  "angle above which an edge is a feature line, whose shape is kept",
                                   {.unit = "degrees", .range = feature_degrees}),
-    key<&RemeshOptions::adaptive>("adaptive",
-                                  "shorter edges where the surface is curved, or lines are close together")};
-constexpr Section<RemeshOptions> remesh_section{"Other triangles", remesh_keys};
+    key<&RemeshOptions::adaptive>(
+        "adaptive", "shorter edges where the surface is curved or feature lines are close together")};
+constexpr Section<RemeshOptions> remesh_section{"Remeshing", remesh_keys};
 
 template <class Mesh>
 void read_remesh(TomlTable& table, const KeyInfo& key, Mesh& mesh) {
@@ -54,8 +55,8 @@ std::vector<SectionText> inside_remesh() {
 
 template <class Mesh>
 constexpr std::array remesh_key{
-    special_key("remesh", Form::number | Form::table, "other triangles: their target edge length, or a table",
-                {.unit = "m, target edge length", .range = positive, .otherwise = "as it is"},
+    special_key("remesh", Form::number | Form::table, "remeshing: the target edge length, or a table",
+                {.unit = "m, target edge length", .range = positive, .otherwise = "no remeshing"},
                 read_remesh<Mesh>, inside_remesh)};
 
 void complete_mesh_file(TomlTable& table, MeshFile& mesh) {
@@ -65,11 +66,11 @@ void complete_mesh_file(TomlTable& table, MeshFile& mesh) {
 constexpr auto sheet_file_keys = joined(mesh_file_keys, remesh_key<MeshFile>);
 constexpr Section<MeshFile> file_section{"A mesh from a file", sheet_file_keys, complete_mesh_file};
 
-constexpr std::array given_name_key{
-    key<&GivenMeshName::name>("given", "name of a mesh that a program gives",
-                              {.what = "the name that a program gives the mesh by", .required = true})};
+constexpr std::array given_name_key{key<&GivenMeshName::name>(
+    "given", "name of a mesh that a program passes with the scene",
+    {.what = "the name of a mesh that a program passes with the scene", .required = true})};
 constexpr auto given_keys = joined(given_name_key, remesh_key<GivenMeshName>);
-constexpr Section<GivenMeshName> given_section{"A mesh that a program gives", given_keys};
+constexpr Section<GivenMeshName> given_section{"A mesh that a program passes with the scene", given_keys};
 
 }  // namespace
 

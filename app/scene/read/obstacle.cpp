@@ -17,8 +17,9 @@ namespace {
 constexpr KeyRules length_rules{.unit = "m", .range = positive, .required = true};
 
 constexpr std::array plane_keys{
-    key<&PlaneShape::point>("point", "a point of it", {.unit = "m"}),
-    direction_key<&PlaneShape::normal>("normal", "sheets stay on the side that it points to")};
+    key<&PlaneShape::point>("point", "a point of the plane", {.unit = "m"}),
+    direction_key<&PlaneShape::normal>("normal",
+                                       "normal of the plane; sheets stay on the side to which it points")};
 constexpr Section<PlaneShape> plane_section{"A plane", plane_keys};
 
 constexpr std::array sphere_keys{key<&SphereShape::radius>("radius", "its radius", length_rules),
@@ -38,13 +39,13 @@ constexpr Section<BoxShape> box_section{"A box", box_keys};
 
 constexpr std::array cylinder_keys{
     key<&CylinderShape::radius>("radius", "its radius", length_rules),
-    key<&CylinderShape::length>("length", "between its flat ends", length_rules),
+    key<&CylinderShape::length>("length", "length between its flat ends", length_rules),
     key<&CylinderShape::centre>("centre", "its centre", {.unit = "m"}),
     direction_key<&CylinderShape::axis>("axis", "direction of its axis")};
 constexpr Section<CylinderShape> cylinder_section{"A cylinder", cylinder_keys};
 
 constexpr std::array voxel_key{key<&ObstacleMesh::voxel>(
-    "voxel", "resolution of the grid of distances that it becomes",
+    "voxel", "voxel size of the signed distance grid into which the mesh is converted",
     {.unit = "m", .range = positive, .otherwise = "a hundredth of the mesh's diagonal, 0.02 mm at least"})};
 constexpr auto mesh_keys = joined(embedded<mesh_file_keys, &ObstacleMesh::file>(), voxel_key);
 constexpr Section<ObstacleMesh> mesh_section{"A mesh from a file", mesh_keys};
@@ -83,11 +84,12 @@ constexpr auto solid_key(std::string_view name, Form forms, std::string_view sen
 constexpr std::array solid_keys{
     solid_key<plane_section>("plane", Form::table, "a half-space", {}),
     solid_key<sphere_section>("sphere", Form::table, "a ball", {.excludes = {"plane"}}),
-    solid_key<box_section>("box", Form::table, "sides along the axes", {.excludes = {"plane", "sphere"}}),
-    solid_key<cylinder_section>("cylinder", Form::table, "with flat ends",
+    solid_key<box_section>("box", Form::table, "a box with sides along the axes",
+                           {.excludes = {"plane", "sphere"}}),
+    solid_key<cylinder_section>("cylinder", Form::table, "a cylinder with flat ends",
                                 {.excludes = {"plane", "sphere", "box"}}),
     solid_key<mesh_section>(
-        "mesh", Form::file | Form::table, "a closed mesh; with a `cache` any",
+        "mesh", Form::file | Form::table, "a closed mesh; with `cache`, any mesh",
         {.what = "the name of a file", .excludes = {"plane", "sphere", "box", "cylinder"}}),
     solid_key<level_set_section>(
         "vdb", Form::file | Form::table, "a level set of an OpenVDB file",
@@ -97,13 +99,13 @@ constexpr std::array<std::string_view, 2> interpolations_of_caches{"cardinal", "
 constexpr std::array cache_keys{
     key<&ObstacleCache::path>("file", "a point cache",
                               {.what = "the name of a .pc2 or .mdd file", .required = true}),
-    key<&ObstacleCache::start>("start", "when its first sample is, whatever time the file begins with",
+    key<&ObstacleCache::start>("start", "time of the first sample, whatever time the file begins with",
                                {.unit = "s"}),
     key<&ObstacleCache::frame_rate>(
-        "fps", "frames in a second of a `.pc2`, samples in a second of an `.mdd`",
-        {.unit = "1/s", .range = positive, .otherwise = "of `.pc2` 24, of `.mdd` as its times say"}),
+        "fps", "frames per second of a `.pc2`, samples per second of an `.mdd`",
+        {.unit = "1/s", .range = positive, .otherwise = "24 for `.pc2`, the times in the file for `.mdd`"}),
     key<&ObstacleCache::smooth>("interpolation",
-                                "between samples: without jumps of the velocity, or at constant speed",
+                                "motion between samples: with a continuous velocity, or at constant speed",
                                 {.choices = interpolations_of_caches})};
 constexpr Section<ObstacleCache> cache_section{"A point cache", cache_keys};
 
@@ -162,7 +164,7 @@ void complete_free_motion(TomlTable& table, ObstacleSpec& obstacle) {
     const bool has_mass = table.has("mass"), is_mesh = std::holds_alternative<ObstacleMesh>(obstacle.shape);
     const char* key = has_mass ? "mass" : "density";
     if (!is_mesh && volume(obstacle) == 0)
-        table.report(key, "makes a free body of a sphere, a box or a mesh only");
+        table.report(key, "is for a sphere, a box or a mesh: only these can be free bodies");
     if (!obstacle.motion.keys.empty()) table.report(key, "conflicts with keys: a free body moves by itself");
     if (has_mass && !is_mesh) obstacle.free->density = obstacle.free->mass / volume(obstacle);
 }
@@ -191,29 +193,30 @@ void complete_obstacle(TomlTable& table, ObstacleSpec& obstacle) {
 
 constexpr auto obstacle_keys = joined(
     solid_keys,
-    std::array{table_key<place_section, &ObstacleSpec::motion, &Motion::place>("place", "where it is put",
-                                                                               {.otherwise = "where it is"})},
+    std::array{table_key<place_section, &ObstacleSpec::motion, &Motion::place>(
+        "place", "rotation and translation of the obstacle", {.otherwise = "none"})},
     embedded<motion_keys, &ObstacleSpec::motion>(),
     std::array{
-        special_key("cache", Form::file | Form::table, "of a `mesh`: a point cache, by which it deforms",
+        special_key("cache", Form::file | Form::table, "for a `mesh`: a point cache that deforms it",
                     {.what = "the name of a .pc2 or .mdd file", .otherwise = "rigid"}, read_cache,
                     inside_cache),
-        special_key("mass", Form::number, "of a `sphere`, a `box` or a `mesh`: makes it a free rigid body",
+        special_key("mass", Form::number, "for a `sphere`, a `box` or a `mesh`: makes it a free rigid body",
                     {.unit = "kg", .range = positive, .otherwise = "fixed"}, read_inertia<&FreeMotion::mass>),
         special_key("density", Form::number, "instead of `mass`",
                     {.unit = "kg/m^3", .range = positive, .otherwise = "fixed", .excludes = {"mass"}},
                     read_inertia<&FreeMotion::density>),
-        special_key("velocity", Form::vector, "of a free body at the start",
+        special_key("velocity", Form::vector, "velocity of a free body at the start",
                     {.unit = "m/s", .otherwise = "`[0, 0, 0]`"}, read_start<&FreeMotion::velocity>),
-        special_key("spin", Form::vector, "of a free body at the start, about its centre of mass",
+        special_key("spin", Form::vector,
+                    "angular velocity of a free body at the start, about its centre of mass",
                     {.unit = "rad/s", .otherwise = "`[0, 0, 0]`"}, read_start<&FreeMotion::spin>),
         key<&ObstacleSpec::friction>("friction", "coefficient of Coulomb friction", {.range = not_negative}),
-        key<&ObstacleSpec::young>("young", "of what the obstacle is made of; the default is concrete",
+        key<&ObstacleSpec::young>("young", "Young's modulus of the obstacle; the default is that of concrete",
                                   {.unit = "Pa", .range = positive})});
 
 }  // namespace
 
-constinit const Section<ObstacleSpec> obstacle_section{"What sheets cannot pass through", obstacle_keys,
-                                                       complete_obstacle};
+constinit const Section<ObstacleSpec> obstacle_section{"An obstacle, which sheets cannot pass through",
+                                                       obstacle_keys, complete_obstacle};
 
 }  // namespace sherd

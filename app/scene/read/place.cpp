@@ -10,8 +10,8 @@ namespace sherd {
 namespace {
 
 constexpr std::array rotation_keys{
-    direction_key<&Rotation::axis>("axis", "`[x, y, z]`, about which it turns", {.required = true}),
-    key<&Rotation::degrees>("degrees", "by how much, counterclockwise seen against the axis",
+    direction_key<&Rotation::axis>("axis", "`[x, y, z]`, axis of the rotation", {.required = true}),
+    key<&Rotation::degrees>("degrees", "angle, counterclockwise seen against the axis",
                             {.unit = "degrees", .required = true})};
 
 std::vector<SectionText> inside_rotation() {
@@ -32,9 +32,9 @@ void read_translation(TomlTable& table, const KeyInfo& key, Eigen::Isometry3d& p
 
 constexpr std::array place_keys{
     special_key("rotate", Form::table | Form::tables,
-                "turns it about the origin of the mesh; an array is applied in order", {.otherwise = "none"},
+                "rotation about the origin of the mesh; an array is applied in order", {.otherwise = "none"},
                 read_rotations, inside_rotation),
-    special_key("translate", Form::vector, "moves it after the rotations",
+    special_key("translate", Form::vector, "translation, after the rotations",
                 {.unit = "m", .otherwise = "`[0, 0, 0]`"}, read_translation)};
 
 void read_turn(TomlTable& table, const KeyInfo& key, MotionKey& motion) {
@@ -47,17 +47,18 @@ void read_turn(TomlTable& table, const KeyInfo& key, MotionKey& motion) {
 }
 
 constexpr std::array key_keys{
-    key<&MotionKey::time>("time", "later than that of the key before",
+    key<&MotionKey::time>("time", "time, later than that of the previous key",
                           {.unit = "s", .range = not_negative, .required = true}),
-    key<&MotionKey::translation>("translate", "by how much it has moved", {.unit = "m"}),
-    special_key("rotate", Form::table, "by how much it has turned, before it is moved, about its centre",
+    key<&MotionKey::translation>("translate", "displacement from where it was placed", {.unit = "m"}),
+    special_key("rotate", Form::table,
+                "rotation from where it was placed, about its centre, before the displacement",
                 {.otherwise = "none"}, read_turn, inside_rotation)};
 
 }  // namespace
 
 constinit const Section<Rotation> rotation_section{"A rotation", rotation_keys};
-constinit const Section<Eigen::Isometry3d> place_section{"Where it is placed", place_keys};
-constinit const Section<MotionKey> motion_key_section{"Where it is at a time", key_keys};
+constinit const Section<Eigen::Isometry3d> place_section{"Placement", place_keys};
+constinit const Section<MotionKey> motion_key_section{"Position at a time", key_keys};
 
 Eigen::AngleAxisd Rotation::turn() const {
     return {degrees * std::numbers::pi / 180, axis};
@@ -74,7 +75,7 @@ void check_motion(TomlTable& table, const Motion& motion) {
     std::vector<TomlTable> tables = table.tables("keys");
     for (std::size_t i = 1; i < motion.keys.size(); ++i)
         if (motion.keys[i].time <= motion.keys[i - 1].time)
-            tables[i].report("time", fmt::format("must be later than that of the key before it ({} s)",
+            tables[i].report("time", fmt::format("must be later than that of the previous key ({} s)",
                                                  motion.keys[i - 1].time));
     if (table.has("motion") && motion.keys.empty())
         table.report("motion", "needs keys = [{ time = 0 }, { time = 1, ... }]");

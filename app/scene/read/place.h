@@ -37,8 +37,8 @@ inline constexpr std::array<std::string_view, 2> interpolations{"smooth", "linea
 /// Keys of a prescribed motion.
 inline constexpr std::array motion_keys{
     table_key<motion_key_section, &Motion::keys>(
-        "keys", "where it is at some times, against where it was placed", {.otherwise = "it stays"}),
-    key<&Motion::smooth>("motion", "between two keys: from rest to rest, or at constant speed",
+        "keys", "positions at given times, relative to where it was placed", {.otherwise = "no motion"}),
+    key<&Motion::smooth>("motion", "motion between two keys: from rest to rest, or at constant speed",
                          {.choices = interpolations})};
 
 /// Reports keys of a motion whose times do not increase, and an interpolation without keys.

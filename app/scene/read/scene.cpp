@@ -34,11 +34,11 @@ constexpr double most_steps = 1e9;  // would take decades: most likely a mistype
 constexpr std::array<std::string_view, 2> starts{"exempt", "error"};
 constexpr std::array contact_keys{
     key<&Scene::simulation, &SimulationOptions::stepper, &StepperOptions::contact, &ContactOptions::sheets>(
-        "sheets", "sheets and fragments keep half the sum of their thicknesses apart"),
+        "sheets", "whether sheets and fragments keep half the sum of their thicknesses apart"),
     key<&Scene::simulation, &SimulationOptions::stepper, &StepperOptions::contact, &ContactOptions::friction>(
         "friction", "coefficient of Coulomb friction between them", {.range = not_negative}),
     key<&Scene::exempts_overlaps>(
-        "start", "what overlaps at the start does not collide until it is apart, or is an error",
+        "start", "overlaps at the start: no contact there until the surfaces have separated, or an error",
         {.choices = starts})};
 constexpr Section<Scene> contact_section{
     "Contact of sheets and fragments with each other and with themselves", contact_keys};
@@ -74,14 +74,14 @@ void read_output_fields(TomlTable& output, const KeyInfo& key, Scene& scene) {
 
 constexpr std::array output_keys{
     special_key("every", Form::number,
-                "time between recorded frames, at the ends of steps; not below a `solver.step` that is given",
+                "time between recorded frames, at the ends of steps; at least a given `solver.step`",
                 {.unit = "s", .range = positive, .otherwise = "`duration / 100`, at least a step"},
                 read_every),
-    special_key("fields", Form::names | Form::flag, "what is recorded of each face; `true`: all of them",
+    special_key("fields", Form::names | Form::flag, "fields that are recorded for each face; `true`: all",
                 {.choices = field_names, .otherwise = "none"}, read_output_fields),
     key<&Scene::checkpoint_interval>("checkpoint", "wall time between checkpoints; 0: at start and end only",
                                      {.unit = "s", .range = not_negative})};
-constexpr Section<Scene> output_section{"What is recorded", output_keys};
+constexpr Section<Scene> output_section{"Recording", output_keys};
 
 void read_sheets(TomlTable& root, const KeyInfo& key, Scene& scene) {
     if (auto sheets = root.table(key.name)) {
@@ -111,7 +111,8 @@ void read_obstacles(TomlTable& root, const KeyInfo& key, Scene& scene) {
 void refuse_variant(TomlTable& root, const KeyInfo& key, Scene& /*scene*/) {
     if (root.has(key.name))
         root.report(key.name,
-                    "has its place in the scene itself only: a variant has none, and --set cannot make one");
+                    "belongs at the top level of the scene: a variant cannot contain variants, and --set "
+                    "cannot add one");
 }
 
 constexpr Range seeds{
@@ -119,18 +120,21 @@ constexpr Range seeds{
 
 /// Keys in the order in which they are read: the meaning of a key may depend on earlier ones.
 constexpr std::array scene_keys{
-    part_key<solver_section>("solver", "how steps are made"),
+    part_key<solver_section>("solver", "time steps and their solution"),
     special_key("duration", Form::number, "simulated time; not in statics, which end at `solver.load`",
                 {.unit = "s", .range = positive, .otherwise = "required, except in statics"}, read_duration),
-    part_key<output_section>("output", "what is recorded"),
-    key<&Scene::seed>("seed", "of generated meshes, gusts and the scatter of strength", {.range = seeds}),
-    special_key("sheet", Form::named, "what bends and breaks", {.required = true}, read_sheets,
+    part_key<output_section>("output", "recorded data"),
+    key<&Scene::seed>("seed",
+                      "seed of the random numbers in generated meshes, gusts and the scatter of strength",
+                      {.range = seeds}),
+    special_key("sheet", Form::named, "sheets, which bend and break", {.required = true}, read_sheets,
                 [] { return std::vector{text_of(sheet_section)}; }),
-    special_key("obstacle", Form::named, "what sheets cannot pass through", {.otherwise = "none"},
+    special_key("obstacle", Form::named, "obstacles, which sheets cannot pass through", {.otherwise = "none"},
                 read_obstacles, [] { return std::vector{text_of(obstacle_section)}; }),
-    part_key<contact_section>("contact", "of sheets and fragments with each other"),
-    part_key<force_section>("force", "gravity, loads and the air"),
-    table_key<gauge_section, &Scene::gauges>("gauge", "what is measured, where", {.otherwise = "none"}),
+    part_key<contact_section>("contact", "contact of sheets and fragments with each other"),
+    part_key<force_section>("force", "gravity, loads and wind"),
+    table_key<gauge_section, &Scene::gauges>("gauge", "points at which quantities are measured",
+                                             {.otherwise = "none"}),
     special_key("variant", Form::table | Form::tables, "other versions of the scene", {.otherwise = "none"},
                 refuse_variant)};
 
@@ -172,9 +176,9 @@ void complete_times(TomlTable& root, Scene& scene) {
 /// Reports keys that do not go with the paper's rule, which only compares hinges with their strength.
 void require_paper(TomlTable& root, const FractureSpec& fracture) {
     if (fracture.has_toughness())
-        root.report("solver", "rule = \"paper\" knows no toughness: leave one of them out");
+        root.report("solver", "rule = \"paper\" does not support toughness: leave one of them out");
     if (fracture.art_direction.smallest > 0)
-        root.report("solver", "rule = \"paper\" knows no fracture.smallest: leave one of them out");
+        root.report("solver", "rule = \"paper\" does not support fracture.smallest: leave one of them out");
 }
 
 void complete_sheets(TomlTable& root, const Scene& scene) {

@@ -32,7 +32,7 @@ constexpr std::array common_keys{
                 read_generate),
     key<&GeneratedMesh::edge_length>("edge_length", "target length of the edges", side_rules),
     key<&GeneratedMesh::structured>(
-        "structured", "of a rectangle, cylinder or sector: a regular grid with parallel diagonals")};
+        "structured", "for a rectangle, cylinder or sector: a regular grid with parallel diagonals")};
 constexpr std::array radius_key{key<&GeneratedMesh::radius>("radius", "its radius", side_rules)},
     width_key{key<&GeneratedMesh::width>("width", "its side along x", side_rules)},
     height_key{
@@ -49,9 +49,9 @@ void read_plate_foot(TomlTable& table, const KeyInfo& key, GeneratedMesh& mesh) 
 }
 
 constexpr std::array plate_part_keys{
-    special_key("height", Form::number, "of the rim above the bottom",
+    special_key("height", Form::number, "height of the rim above the bottom",
                 {.unit = "m", .range = positive, .otherwise = "0.18 `radius`"}, read_plate_height),
-    special_key("foot", Form::number, "the radius out to which it is flat",
+    special_key("foot", Form::number, "radius of the flat bottom",
                 {.unit = "m", .range = positive, .otherwise = "0.6 `radius`"}, read_plate_foot)};
 
 void complete_plate(TomlTable& /*table*/, GeneratedMesh& mesh) {
@@ -63,11 +63,11 @@ void read_bowl_height(TomlTable& table, const KeyInfo& key, GeneratedMesh& mesh)
 }
 
 constexpr std::array bowl_part_keys{
-    key<&GeneratedMesh::cap_degrees>("cap_degrees",
-                                     "from the bottom to the rim, as seen from the centre of the sphere",
-                                     {.unit = "degrees", .range = below_180}),
+    key<&GeneratedMesh::cap_degrees>(
+        "cap_degrees", "angle from the bottom to the rim, as seen from the centre of the sphere",
+        {.unit = "degrees", .range = below_180}),
     special_key(
-        "height", Form::number, "of the rim above the bottom",
+        "height", Form::number, "height of the rim above the bottom",
         {.unit = "m", .range = positive, .otherwise = "by `cap_degrees`", .excludes = {"cap_degrees"}},
         read_bowl_height)};
 
@@ -88,8 +88,9 @@ constexpr std::array revolution_part_keys{
     special_key("profile", Form::rows,
                 "`[[r, z], [r, z], ...]`, the polyline that is turned about the z axis",
                 {.unit = "r, z in m", .required = true, .least_rows = 2, .columns = 2}, read_profile),
-    key<&GeneratedMesh::angle>("angle", "by how much; below 360 it is a sector from the x axis",
-                               {.unit = "degrees", .range = up_to_360})};
+    key<&GeneratedMesh::angle>(
+        "angle", "angle of the revolution; below 360 the surface is a sector that begins at the x axis",
+        {.unit = "degrees", .range = up_to_360})};
 
 void complete_revolution(TomlTable& table, GeneratedMesh& mesh) {
     const Profile& profile = mesh.profile;
@@ -126,7 +127,7 @@ void read_lines(TomlTable& table, const KeyInfo& key, GeneratedMesh& mesh) {
 }
 
 constexpr std::array polygon_part_keys{
-    special_key("outline", Form::rows, "`[[x, y], [x, y], ...]`, closed by itself",
+    special_key("outline", Form::rows, "`[[x, y], [x, y], ...]`; the last point is joined to the first",
                 {.unit = "x, y in m", .required = true, .least_rows = 3, .columns = 2}, read_outline),
     special_key("holes", Form::lists_of_rows, "outlines of holes",
                 {.unit = "x, y in m", .otherwise = "none", .least_rows = 3, .columns = 2},

@@ -15,13 +15,13 @@ void complete_bend(TomlTable& table, BendSpec& bend) {
 }
 
 constexpr std::array bend_keys{
-    key<&BendSpec::curvature>("curvature",
-                              "of the arcs that lines along `along` become, positive towards the normals",
-                              {.unit = "1/m", .required = true}),
-    direction_key<&BendSpec::along>("along", "direction of the mesh in which it is bent"),
+    key<&BendSpec::curvature>(
+        "curvature", "curvature of the arcs that lines along `along` become, positive towards the normals",
+        {.unit = "1/m", .required = true}),
+    direction_key<&BendSpec::along>("along", "direction in the mesh along which the sheet is bent"),
     key<&BendSpec::from>("from", "a point of the line across `along` that stays where it is placed",
                          {.unit = "m"})};
-constexpr Section<BendSpec> bend_section{"A sheet that starts rolled up", bend_keys, complete_bend};
+constexpr Section<BendSpec> bend_section{"Initial bending of a flat sheet", bend_keys, complete_bend};
 
 /// Reports moving pins and clamps of a sheet with `bend`, since their motion begins at the rest shape.
 void require_still_supports(TomlTable& table, const SheetSpec& sheet) {
@@ -45,22 +45,27 @@ void complete_sheet(TomlTable& table, SheetSpec& sheet) {
 constexpr std::array sheet_keys{
     special_key("mesh", Form::file | Form::table, "a file name, or a table",
                 {.what = "the name of a mesh file", .required = true}, read_mesh, inside_mesh),
-    table_key<place_section, &SheetSpec::place>("place", "where it is put", {.otherwise = "where it is"}),
-    table_key<bend_section, &SheetSpec::bend>("bend", "it starts rolled up", {.otherwise = "none"}),
-    key<&SheetSpec::velocity>("velocity", "at the start", {.unit = "m/s"}),
-    key<&SheetSpec::spin>("spin", "at the start, about the centre of mass", {.unit = "rad/s"}),
-    part_key<material_section>("material", "what it is made of", {.required = true}),
-    special_key("fracture", Form::table, "what it withstands", {.otherwise = "unbreakable"}, read_fracture,
-                inside_fracture),
+    table_key<place_section, &SheetSpec::place>("place", "rotation and translation of the sheet",
+                                                {.otherwise = "none"}),
+    table_key<bend_section, &SheetSpec::bend>("bend", "initial bending: the sheet starts rolled up",
+                                              {.otherwise = "none"}),
+    key<&SheetSpec::velocity>("velocity", "velocity at the start", {.unit = "m/s"}),
+    key<&SheetSpec::spin>("spin", "angular velocity at the start, about the centre of mass",
+                          {.unit = "rad/s"}),
+    part_key<material_section>("material", "material and thickness", {.required = true}),
+    special_key("fracture", Form::table, "when and how the sheet breaks", {.otherwise = "unbreakable"},
+                read_fracture, inside_fracture),
     table_key<pin_section, &SheetSpec::pins>(
         "pin", "vertices that stay where they are placed, or move by `keys`", {.otherwise = "none"}),
-    table_key<clamp_section, &SheetSpec::clamps>("clamp", "as `pin`; it holds the sheet's tangent, too",
+    table_key<clamp_section, &SheetSpec::clamps>("clamp", "as `pin`, but holds the sheet's tangent, too",
                                                  {.otherwise = "none"}),
     table_key<symmetry_section, &SheetSpec::symmetries>(
-        "symmetry", "planes that the sheet goes on behind like its mirror image", {.otherwise = "none"})};
+        "symmetry", "symmetry planes, behind which the sheet continues as its mirror image",
+        {.otherwise = "none"})};
 
 }  // namespace
 
-constinit const Section<SheetSpec> sheet_section{"What bends and breaks", sheet_keys, complete_sheet};
+constinit const Section<SheetSpec> sheet_section{"A sheet, which bends and breaks", sheet_keys,
+                                                 complete_sheet};
 
 }  // namespace sherd

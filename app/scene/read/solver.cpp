@@ -50,8 +50,8 @@ void read_jacobian(TomlTable& table, const KeyInfo& key, Scene& scene) {
     read_value(table, key, jacobian);
     if (model == BendingModel::coupled)
         table.report(key.name,
-                     "is for one of the paper's models (bending = \"cubic\"): coupled hinges have one "
-                     "matrix of their own");
+                     "is for one of the paper's models (bending = \"cubic\"): coupled hinges have one matrix "
+                     "of their own");
     else if (jacobian == BendingJacobian::nonlinear && model != BendingModel::nonlinear)
         table.report(key.name,
                      "\"nonlinear\" needs bending = \"nonlinear\": a cubic hinge takes \"constant\" "
@@ -63,7 +63,7 @@ void complete_solver(TomlTable& table, Scene& scene) {
     if (scene.simulation.stepper.scheme == Scheme::explicit_differences)
         for (const char* key : {"method", "jacobian", "max_iterations", "tolerance", "max_stages"})
             if (table.has(key))
-                table.report(key, "is for steps that are solved, not for scheme = \"explicit\"");
+                table.report(key, "is for implicit steps and statics, not for scheme = \"explicit\"");
     if (!statics)
         for (const char* key : {"load", "arc_length", "longest_path", "until_crack"})
             if (table.has(key)) table.report(key, "is for scheme = \"static\"");
@@ -72,19 +72,20 @@ void complete_solver(TomlTable& table, Scene& scene) {
 }
 
 constexpr std::array damping_keys{
-    key<&Damping::stiffness>("stiffness", "resists changes of shape, keeps linear and angular momentum",
+    key<&Damping::stiffness>("stiffness", "resists changes of shape; conserves linear and angular momentum",
                              {.unit = "s", .range = not_negative}),
-    key<&Damping::mass>("mass", "resists all motion, falling and flying too: velocities decay at this rate",
+    key<&Damping::mass>("mass", "resists all motion, free fall and flight too: velocities decay at this rate",
                         {.unit = "1/s", .range = not_negative})};
 constexpr Section<Damping> damping_section{"Damping", damping_keys};
 
 constexpr std::array solver_keys{
-    special_key("scheme", Form::choice,
-                "implicit steps; explicit ones, or either as needed (`\"auto\"`); or load instead of time",
-                {.choices = scheme_names,
-                 .otherwise = "`\"implicit-euler\"`",
-                 .retired = {"midpoint", "\"bdf2\" is of second order, too"}},
-                read_scheme),
+    special_key(
+        "scheme", Form::choice,
+        "implicit or explicit steps, or either as needed (`\"auto\"`); or statics, with load instead of time",
+        {.choices = scheme_names,
+         .otherwise = "`\"implicit-euler\"`",
+         .retired = {"midpoint", "\"bdf2\" is of second order, too"}},
+        read_scheme),
     retired_key<Scene>("adaptive", "scheme = \"auto\" makes short steps where something strikes or breaks"),
     key<&Scene::simulation, &SimulationOptions::stepper, &StepperOptions::last_load>(
         "load", "the load factor at which statics end", {.unit = "times the loads", .range = positive}),
@@ -98,40 +99,41 @@ constexpr std::array solver_keys{
         "statics end with the first crack, and find its load to within a thousandth of `step`"),
     special_key(
         "step", Form::number,
-        "time step; one that cannot be solved is halved, down to 1/1024 of this, and grows back",
+        "time step; a step that cannot be solved is halved, down to 1/1024 of this, and grows again later",
         {.unit = "s",
          .range = positive,
-         .otherwise = "1e-4, at most `output.every`; 2e-6 of `\"explicit\"`; 0.05 of load in statics"},
+         .otherwise = "1e-4, at most `output.every`; 2e-6 with `\"explicit\"`; a load of 0.05 in statics"},
         read_step),
     key<&Scene::simulation, &SimulationOptions::stepper, &StepperOptions::method>(
-        "method", "how a step is solved",
+        "method", "minimiser that solves a step",
         {.choices = methods, .retired = {"newton-2026", "\"newton\" gives the same results in less time"}}),
     special_key("bending", Form::choice, "bending energy: coupled hinges, or one of the paper's",
                 {.choices = bendings,
                  .otherwise = "`\"coupled\"`",
                  .retired = {"coupled-cubic", "\"coupled\" gives the same results"}},
                 read_bending),
-    special_key("jacobian", Form::choice, "of the paper's models: derivative for Newton's method",
+    special_key("jacobian", Form::choice, "for the paper's models: derivative in Newton's method",
                 {.choices = jacobians, .otherwise = "that of `bending`"}, read_jacobian),
     key<&Scene::simulation, &SimulationOptions::stepper, &StepperOptions::shell,
-        &ShellEnergyOptions::membrane>("membrane", "energy of stretching", {.choices = membranes}),
+        &ShellEnergyOptions::membrane>("membrane", "membrane energy, of stretching", {.choices = membranes}),
     key<&Scene::simulation, &SimulationOptions::max_iterations>(
         "max_iterations",
         "Newton iterations before a step is halved; four of `\"quasi-newton\"` count as one",
         {.range = from_1}),
-    key<&Scene::simulation, &SimulationOptions::tolerance>("tolerance",
-                                                           "the last Newton correction may be this large",
-                                                           {.unit = "mean edge lengths", .range = positive}),
+    key<&Scene::simulation, &SimulationOptions::tolerance>(
+        "tolerance", "largest Newton correction at which a step counts as solved",
+        {.unit = "mean edge lengths", .range = positive}),
     key<&Scene::simulation, &SimulationOptions::rule>("rule", "which overloaded hinges break",
                                                       {.choices = rules}),
     key<&Scene::simulation, &SimulationOptions::max_stages>(
-        "max_stages", "stages of breaking a step, with `\"staged\"`", {.range = from_1}),
+        "max_stages", "largest number of stages in a step, with `\"staged\"`", {.range = from_1}),
     table_key<damping_section, &Scene::simulation, &SimulationOptions::stepper, &StepperOptions::shell,
               &ShellEnergyOptions::damping>(
-        "damping", "what is lost to friction within the material, or to a medium", {.otherwise = "none"})};
+        "damping", "energy lost to friction in the material, or to a surrounding medium",
+        {.otherwise = "none"})};
 
 }  // namespace
 
-constinit const Section<Scene> solver_section{"How steps are made", solver_keys, complete_solver};
+constinit const Section<Scene> solver_section{"Time steps and their solution", solver_keys, complete_solver};
 
 }  // namespace sherd

@@ -25,7 +25,8 @@ void complete_support(TomlTable& table, PinSpec& pin) {
     if (pin.centre && pin.motion.keys.empty())
         table.report("centre", "needs keys = [{ time = 0 }, { time = 1, ... }]");
     if (!pin.motion.at(0).matrix().isIdentity(at_rest))
-        table.report("keys", "must begin where the sheet is placed: without translate and rotate at first");
+        table.report("keys",
+                     "must begin where the sheet is placed: the first key must not translate or rotate");
 }
 
 void complete_pin(TomlTable& table, PinSpec& pin) {
@@ -33,23 +34,22 @@ void complete_pin(TomlTable& table, PinSpec& pin) {
     if (!pin.holds_all_directions() && !pin.motion.keys.empty())
         table.report("free", "conflicts with keys: a pin that moves holds its vertices in all directions");
     else if (pin.free == std::array{true, true, true})
-        table.report("free", "leaves nothing held: leave a direction out, or the pin");
+        table.report("free", "holds nothing: remove a direction, or the pin");
 }
 
 void refuse_free(TomlTable& table, const KeyInfo& key, PinSpec& /*clamp*/) {
     if (table.has(key.name))
-        table.report(key.name, "is of pins only: a clamp holds its vertices in all directions");
+        table.report(key.name, "is for pins only: a clamp holds its vertices in all directions");
 }
 
-constexpr std::array centre_key{key<&PinSpec::centre>(
-    "centre", "`[x, y, z]`, what `rotate` of its `keys` turns about",
-    {.unit = "m", .otherwise = "the middle of the box around the vertices that it holds"})};
+constexpr std::array centre_key{
+    key<&PinSpec::centre>("centre", "`[x, y, z]`, centre of the rotations in `keys`",
+                          {.unit = "m", .otherwise = "the middle of the bounding box of its vertices"})};
 constexpr auto support_keys =
     joined(embedded<selection_keys, &PinSpec::on>(), embedded<motion_keys, &PinSpec::motion>(), centre_key);
-constexpr auto pin_keys =
-    joined(support_keys,
-           std::array{special_key("free", Form::names, "directions of space in which its vertices stay free",
-                                  {.choices = axes, .otherwise = "none"}, read_free)});
+constexpr auto pin_keys = joined(
+    support_keys, std::array{special_key("free", Form::names, "directions in which its vertices stay free",
+                                         {.choices = axes, .otherwise = "none"}, read_free)});
 constexpr auto clamp_keys =
     joined(support_keys, std::array{special_key("free", Form{}, "", {}, refuse_free)});
 
@@ -57,16 +57,17 @@ void complete_symmetry(TomlTable& table, SymmetrySpec& plane) {
     plane.where = table.where("");
 }
 
-constexpr std::array symmetry_keys{key<&SymmetrySpec::point>("point", "a point of the plane", {.unit = "m"}),
-                                   direction_key<&SymmetrySpec::normal>(
-                                       "normal", "`[x, y, z]`, at a right angle to it", {.required = true})};
+constexpr std::array symmetry_keys{
+    key<&SymmetrySpec::point>("point", "a point of the plane", {.unit = "m"}),
+    direction_key<&SymmetrySpec::normal>("normal", "`[x, y, z]`, normal of the plane", {.required = true})};
 
 }  // namespace
 
-constinit const Section<PinSpec> pin_section{"Vertices that are held", pin_keys, complete_pin};
-constinit const Section<PinSpec> clamp_section{"Vertices that are held, with the sheet's tangent", clamp_keys,
-                                               complete_support};
+constinit const Section<PinSpec> pin_section{"A pin: vertices that are held", pin_keys, complete_pin};
+constinit const Section<PinSpec> clamp_section{"A clamp: vertices that are held, with the sheet's tangent",
+                                               clamp_keys, complete_support};
 constinit const Section<SymmetrySpec> symmetry_section{
-    "A plane that the sheet goes on behind like its mirror image", symmetry_keys, complete_symmetry};
+    "A symmetry plane, behind which the sheet continues as its mirror image", symmetry_keys,
+    complete_symmetry};
 
 }  // namespace sherd

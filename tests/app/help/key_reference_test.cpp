@@ -20,9 +20,9 @@ bool has(const std::string& text, const std::string& part) {
 
 TEST(KeyReference, ATableHasAllItsKeysWithValueDefaultAndMeaning) {
     const std::string text = key_reference("solver", 0);
-    EXPECT_TRUE(has(text, "[solver] How steps are made\n")) << text;
-    EXPECT_TRUE(
-        has(text, "  max_stages      an integer of 1 or more; default: 100. stages of breaking a step"))
+    EXPECT_TRUE(has(text, "[solver] Time steps and their solution\n")) << text;
+    EXPECT_TRUE(has(
+        text, "  max_stages      an integer of 1 or more; default: 100. largest number of stages in a step"))
         << text;
     EXPECT_TRUE(has(text, "\"implicit-euler\", \"bdf2\", \"auto\", \"explicit\" or \"static\"")) << text;
     EXPECT_FALSE(has(text, "adaptive")) << "a retired key is no advice: " << text;

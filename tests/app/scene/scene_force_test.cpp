@@ -174,9 +174,9 @@ TEST(SceneSupport, FreedomThatCannotBeIsRefused) {
     says("pin = { boundary = true, free = [\"w\"] }", "pin.free: must be an array of one or more of \"x\"");
     says("pin = { boundary = true, free = [\"x\", \"x\"] }", "pin.free: must be an array");
     says("pin = { boundary = true, free = [] }", "pin.free: must be an array");
-    says("pin = { boundary = true, free = [\"x\", \"y\", \"z\"] }", "pin.free: leaves nothing held");
+    says("pin = { boundary = true, free = [\"x\", \"y\", \"z\"] }", "pin.free: holds nothing");
     says("pin = { boundary = true, free = [\"x\"], keys = [{ time = 0 }] }", "pin.free: conflicts with keys");
-    says("clamp = { boundary = true, free = [\"x\"] }", "clamp.free: is of pins only");
+    says("clamp = { boundary = true, free = [\"x\"] }", "clamp.free: is for pins only");
 }
 
 // The left side turns about its own centre, the right one about the given one.

@@ -116,7 +116,7 @@ const std::vector<BadMaterial> bad_materials{
     {"poisson = 0.6", "poisson: must be a number between -1 and 0.5"},
     {"calibration = \"thrid\"", "calibration: must be one of \"third\", \"paper\""},
     {"young = [4e6, 1e6]\ntempered = 1e8",
-     "scene.toml:7: sheet.plate.material.tempered: needs a material that"},
+     "scene.toml:7: sheet.plate.material.tempered: needs an isotropic material"},
     {"tempered = -1", "material.tempered: must be"},
     {"axis = { degres = 3 }", "material.axis.degres: unknown key"},
     {"axis = {}", "scene.toml:6: sheet.plate.material.axis: needs direction, degrees or both"},

@@ -212,7 +212,7 @@ TEST(SceneObstacle, WhatCannotBeIsToldWithItsLine) {
     expect_error("vdb = { file = \"a.vdb\", scale = 0 }", {"vdb.scale: must be a positive"});
     expect_error("sphere = { radius = 1 }\nvelocity = [1, 0, 0]", {"thing.velocity: needs density or mass"});
     expect_error("sphere = { radius = 1 }\nmass = 1\ndensity = 1", {"thing.density: conflicts with mass"});
-    expect_error("plane = {}\nmass = 1", {"thing.mass: makes a free body of a sphere, a box or a mesh only"});
+    expect_error("plane = {}\nmass = 1", {"thing.mass: is for a sphere, a box or a mesh"});
     expect_error("box = { size = [1, 1, 1] }\nmass = 1\nkeys = { time = 1 }",
                  {"thing.mass: conflicts with keys"});
     expect_error("sphere = { radius = 1 }\ndensity = -1",
@@ -224,7 +224,7 @@ TEST(SceneObstacle, WhatCannotBeIsToldWithItsLine) {
     expect_error("plane = {}\nkeys = [{ translate = [0, 0, 1] }]",
                  {"scene.toml:8: obstacle.thing.keys[0].time: is missing"});
     expect_error("plane = {}\nkeys = [{ time = 1 }, { time = 1 }]",
-                 {"keys[1].time: must be later than that of the key before it (1 s)"});
+                 {"keys[1].time: must be later than that of the previous key (1 s)"});
     expect_error("plane = {}\nkeys = [{ time = 1, rotate = { axis = [0, 0, 1] } }]",
                  {"keys[0].rotate.degrees: is missing"});
     expect_error("plane = {}\nkeys = [{ time = 1, rotate = { axis = [0, 0, 0], degrees = 3 } }]",

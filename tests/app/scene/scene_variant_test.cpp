@@ -89,14 +89,14 @@ TEST(SceneVariant, MistakesAreToldWhereTheyStand) {
     says(mistake("solver.stpe = 1\n"), "12: solver.stpe: unknown key; did you mean 'step'?");
     says(mistake("sheet.tube.material.thickness = 0\n"),
          "12: sheet.tube.material.thickness: must be a positive");
-    says(mistake("variant.name = \"b\"\n"), "12: variant: has its place in the scene itself only");
+    says(mistake("variant.name = \"b\"\n"), "12: variant: belongs at the top level of the scene");
     says(mistake("[[variant]]\nseed = 3\n"), "12: variant[1].name: is missing");
     says(mistake("[[variant]]\nname = \"a\"\n"), "13: variant[1].name: \"a\" is the name of another variant");
     says(mistake("[[variant]]\nname = \"a/b\"\n"), "13: variant[1].name: becomes a part of a file's name");
     says(variant_message(tube + "[[varaint]]\n"), "10: varaint: unknown key; did you mean 'variant'?");
-    EXPECT_NE(
-        variant_message(tube, {{"variant.name=a"}, ""}).find("--set variant.name=a: variant: has its place"),
-        std::string::npos);
+    EXPECT_NE(variant_message(tube, {{"variant.name=a"}, ""})
+                  .find("--set variant.name=a: variant: belongs at the top level"),
+              std::string::npos);
 }
 
 TEST(SceneVariant, AnUnknownOneIsToldThoseThatThereAre) {
