@@ -69,16 +69,16 @@ void print_strength(const SheetSpec& sheet, const SheetInput& input) {
                      words(strength.across));
     print_factors(strength.factors);
     if (sheet.material.tempered > 0)
-        print_result("  and {:.4g} Pa more, by which its surfaces are compressed\n", sheet.material.tempered);
+        print_result("  and {:.4g} Pa more, the compression of its surfaces\n", sheet.material.tempered);
 }
 
 void print_toughness(const Toughness& toughness) {
     if (!toughness.given()) return;
     if (toughness.has_directions())
-        print_result("  cracks go on above {:.4g} Pa m^0.5 along its axis, {:.4g} across,", toughness.value,
-                     *toughness.across);
+        print_result("  cracks propagate above {:.4g} Pa m^0.5 along its axis, {:.4g} across,",
+                     toughness.value, *toughness.across);
     else
-        print_result("  cracks go on above {:.4g} Pa m^0.5,", toughness.value);
+        print_result("  cracks propagate above {:.4g} Pa m^0.5,", toughness.value);
     print_result(" at {:.4g} m/s at most\n", toughness.speed_limit);
     print_factors(toughness.factors);
 }
@@ -96,11 +96,11 @@ SheetInput print_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<s
     print_result("  area {:.6g} m^2, mass {:.6g} kg\n", m.area,
                  m.area * input.material.thickness * input.material.density);
     if (!input.thickness.empty())
-        print_result("  thickness {} m, {:.3g} m on the mean\n", thickness_words(input),
+        print_result("  thickness {} m, {:.3g} m on average\n", thickness_words(input),
                      input.material.thickness);
     print_result("  box {:.4g} {:.4g} {:.4g} to {:.4g} {:.4g} {:.4g} m\n", m.lower.x(), m.lower.y(),
                  m.lower.z(), m.upper.x(), m.upper.y(), m.upper.z());
-    print_result("  edges {:.4g} m on the mean, {:.4g} to {:.4g} m; smallest angle {:.3g} degrees\n",
+    print_result("  edges {:.4g} m on average, {:.4g} to {:.4g} m; smallest angle {:.3g} degrees\n",
                  m.mean_edge, m.smallest_edge, m.largest_edge, m.smallest_angle * 180 / std::numbers::pi);
     if (!remeshed.empty()) print_result("  {}\n", remeshed);
     print_strength(sheet, input);
@@ -124,7 +124,8 @@ void print_cost(const Scene& scene, BuiltScene built, const CheckOptions& option
     if (!options.no_try && cost.memory < cost.machine_memory) {
         warn_of_own_weight(scene, built.inputs, warnings);
         const IdleTimer long_first_step(std::chrono::seconds(10), [] {
-            print_message("sherd: the first steps are still being tried; --no-try leaves them out\n");
+            print_message(
+                "sherd: still computing the first steps, for an estimate of the time; --no-try skips them\n");
         });
         const TriedSteps tried = try_steps(scene, std::move(built));
         add(cost, tried);
@@ -210,16 +211,15 @@ int check_all(const CheckOptions& options) {
 
 void add_check(CLI::App& program, Command& chosen) {
     CLI::App* command = program.add_subcommand(
-        "check", "Say what is wrong with a scene, and what it will cost, before hours are spent");
+        "check", "Report errors and likely mistakes of a scene, and estimate what its run will cost");
     auto options = std::make_shared<CheckOptions>();
     add_scene_options(*command, options->scene);
     command->add_flag("--no-try", options->no_try,
-                      "Do not do the first steps, by which the time that a run takes is estimated");
+                      "Skip the first steps, from which the time of a run is estimated");
     command
-        ->add_option(
-            "-o,--output", options->faults,
-            "PLY file of the sheets with the faces coloured that are exempt from contact or keep the scene "
-            "from starting; of variants NAME.ply becomes NAME-VARIANT.ply")
+        ->add_option("-o,--output", options->faults,
+                     "PLY file of the sheets, with faces coloured that are exempt from contact or keep the "
+                     "scene from starting; for variants NAME.ply becomes NAME-VARIANT.ply")
         ->option_text("FAULTS.ply");
     command->add_flag("--force", options->force, "Replace FAULTS.ply if it exists");
     command->footer("Example:\n  sherd check plate_drop -o faults.ply");

@@ -18,7 +18,7 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
         ->option_text("SCENE.toml");
     command
         .add_option("--variant", options.choice.variant,
-                    "Take this [[variant]] of the scene; without it, all that it has")
+                    "Use this [[variant]] of the scene (default: all variants)")
         ->option_text("NAME");
     command
         .add_option("--set", options.choice.overrides,

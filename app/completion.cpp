@@ -12,11 +12,11 @@
 namespace sherd {
 
 void add_completion(CLI::App& program, Command& chosen) {
-    CLI::App* command = program.add_subcommand("completion", "Print the script that lets a shell complete");
+    CLI::App* command = program.add_subcommand("completion", "Print the script for completion in a shell");
     auto shell = std::make_shared<std::string>();
     command->add_option("shell", *shell, "The shell")->required()->option_text("bash|zsh");
     command->footer(
-        "An installed package brings them along. Elsewhere:\n"
+        "Installed packages contain these scripts. Without a package:\n"
         "  source <(sherd completion bash)                # in ~/.bashrc\n"
         "  source <(sherd completion zsh)                 # in ~/.zshrc, after compinit");
     command->callback([&chosen, &program, shell] {

@@ -68,7 +68,7 @@ std::string text_of(const Series& series) {
                             cell(found.error, "{:+.2f} %", 100));
     }
     if (series.breaks())
-        text += "The scene breaks: what comes after the first crack hangs on the mesh and on the step.\n";
+        text += "The scene breaks: results after the first crack depend on the mesh and on the step.\n";
     return text;
 }
 
@@ -117,7 +117,7 @@ int converge(const ConvergeOptions& options) {
 
 void add_converge(CLI::App& program, Command& chosen) {
     CLI::App* command = program.add_subcommand(
-        "converge", "Say how far a scene's results are from those of finer meshes and shorter steps");
+        "converge", "Estimate the errors of a scene's results that come from its mesh and its steps");
     auto options = std::make_shared<ConvergeOptions>();
     add_scene_options(*command, options->scene);
     command->add_flag("--json", options->json, "For scripts: one JSON object");

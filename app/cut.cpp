@@ -110,12 +110,13 @@ void add_cut(CLI::App& program, Command& chosen) {
     command->add_option("mesh", options->mesh, "Mesh file (.obj, .ply, .off, .stl)")
         ->required()
         ->option_text("MESH");
-    CLI::Option* edges = command->add_option("--edges", options->edges,
-                                             "Text file, an edge a line: two 0-based vertex numbers of MESH");
+    CLI::Option* edges = command->add_option(
+        "--edges", options->edges, "Text file, one edge per line: two 0-based vertex numbers of MESH");
     edges->option_text("FILE");
     command
-        ->add_option("--line", options->line,
-                     "Text file, a point of a polyline a line: x y z, m; an empty line begins another")
+        ->add_option(
+            "--line", options->line,
+            "Text file, one point of a polyline per line: x y z, m; an empty line begins another polyline")
         ->excludes(edges)
         ->option_text("FILE");
     command->add_flag("--keep-vertices", options->keep_vertices,
@@ -123,13 +124,12 @@ void add_cut(CLI::App& program, Command& chosen) {
     command->add_option("-o,--output", options->output, "Mesh to write (.obj, .ply or .off)")
         ->required()
         ->option_text("OUT");
-    command->add_flag("--repair", options->repair, "Mend what can only mean one thing, as scenes do");
-    command->add_flag("--join", options->read.join_duplicate_points, "Join points at the same place first");
+    command->add_flag("--repair", options->repair, "Repair unambiguous defects, as scenes do");
+    command->add_flag("--join", options->read.join_duplicate_points, "Merge points at the same place first");
     command
-        ->add_option(
-            "--join-within", options->read.join_distance,
-            "Join points at the border that are so near, too, and divide edges there by such points, "
-            "in units of MESH")
+        ->add_option("--join-within", options->read.join_distance,
+                     "Also merge border points within this distance, and divide border edges at such points; "
+                     "in units of MESH")
         ->check(positive_number())
         ->option_text("DISTANCE");
     command->add_flag("--force", options->force, "Replace OUT if it exists");

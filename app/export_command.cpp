@@ -44,9 +44,10 @@ void add_form_options(CLI::App& command, ExportOptions& options) {
                      "One object (obj) or file (ply, stl) for each fragment; glb always has a node for each");
     command.add_flag("--sheets-only", options.sheets_only, "Without obstacles and free bodies");
     command.add_flag("--solid", options.solid,
-                     "Closed bodies of the sheets' thickness, one a fragment (obj, ply, stl, pc2, mdd, glb); "
-                     "vdb always has the thickness");
-    command.add_option("--thickness", options.thickness, "m, instead of the recording's")->option_text("T");
+                     "Closed bodies of the sheets' thickness, one per fragment (obj, ply, stl, pc2, mdd, "
+                     "glb); vdb always has the thickness");
+    command.add_option("--thickness", options.thickness, "Thickness in m, instead of the recording's")
+        ->option_text("T");
     command
         .add_option(
             "--quality", options.quality,
@@ -55,13 +56,13 @@ void add_form_options(CLI::App& command, ExportOptions& options) {
         ->option_text("strain|speed|fragment|stress|curvature");
     command
         .add_option("--animate", options.animate,
-                    "How the fragments of glb move: rigid (default) or morph (their shapes, too)")
+                    "Motion of the fragments in glb: rigid (default) or morph (with changes of shape)")
         ->option_text("rigid|morph");
     command
         .add_option("--voxel", options.voxel,
                     "Edge length of the voxels of vdb in m (default: a quarter of the thickness)")
         ->option_text("SIZE");
-    add_slow_motion_options(command, options.slow, "Samples a second of pc2 and mdd (default 24)");
+    add_slow_motion_options(command, options.slow, "Samples per second of pc2 and mdd (default 24)");
 }
 
 }  // namespace
@@ -79,11 +80,9 @@ void add_export(CLI::App& program, Command& chosen) {
         ->add_option("-o,--output", options->output, "File, or folder for several (default: beside RUN.h5)")
         ->option_text("PATH");
     command
-        ->add_option(
-            "--frames", options->frames,
-            "last (default of obj, ply, stl, vdb, fragments), all (of pvd, pc2, mdd, glb), numbers and "
-            "START:STOP:STEP as "
-            "in Python, with commas between")
+        ->add_option("--frames", options->frames,
+                     "Frames: last (default for obj, ply, stl, vdb, fragments), all (default for pvd, pc2, "
+                     "mdd, glb), or numbers and START:STOP:STEP as in Python, separated by commas")
         ->option_text("WHICH");
     add_form_options(*command, *options);
     command->add_flag("--force", options->force, "Replace files that exist");

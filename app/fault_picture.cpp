@@ -115,7 +115,7 @@ TriangleSheet painted(const Picture& picture) {
 }
 
 void print_legend(const Picture& picture, const std::filesystem::path& file) {
-    print_result("{}: {} of the sheets, in place, and coloured:\n", file.string(),
+    print_result("{}: {} of the placed sheets, of which coloured:\n", file.string(),
                  counted(picture.faults.size(), "face"));
     for (const FaultColour& known : colours)
         if (const auto count = std::count(picture.faults.begin(), picture.faults.end(), known.kind);
@@ -140,7 +140,7 @@ void write_fault_picture(const Scene& scene, const std::filesystem::path& file, 
         print_result("{}: {} is not written\n",
                      picture.undrawn.empty()
                          ? "no face crosses another or keeps the scene from starting"
-                         : fmt::format("nothing is known of the faces of sheet.{}, which cannot be made",
+                         : fmt::format("the faces of sheet.{} are unknown, because its mesh cannot be made",
                                        fmt::join(picture.undrawn, ", sheet.")),
                      file.string());
         return;

@@ -24,7 +24,7 @@ namespace sherd {
 
 namespace {
 
-constexpr const char* still_running = "running, or killed: `sherd run --resume` goes on then";
+constexpr const char* still_running = "running, or killed: then `sherd run --resume` continues it";
 
 std::vector<SheetInfo> sheets_of(const RecordingHeader& header, const Snapshot& frame) {
     std::vector<SheetInfo> sheets;
@@ -161,15 +161,15 @@ void add_last_step(std::string& text, const RunInfo& info) {
         "energy       kinetic {:.5g}, bending {:.5g}, membrane {:.5g}, gravity {:.5g}, contact {:.5g} J\n",
         last.kinetic, last.bending, last.membrane, last.gravity, last.contact);
     if (last.residual > 0)
-        fmt::format_to(out, "residual     {:.5g} J of the stress of tempered sheets\n", last.residual);
+        fmt::format_to(out, "residual     {:.5g} J of residual stress in tempered sheets\n", last.residual);
     if (info.has_balance) add_balance(text, last);
     fmt::format_to(out,
                    "momentum     linear {:.4g} {:.4g} {:.4g} kg m/s, angular {:.4g} {:.4g} {:.4g} kg m^2/s\n",
                    last.linear_momentum.x(), last.linear_momentum.y(), last.linear_momentum.z(),
                    last.angular_momentum.x(), last.angular_momentum.y(), last.angular_momentum.z());
     fmt::format_to(out,
-                   "solver       {} Newton iterations, at most {} stages of breaking a step, {} times halved "
-                   "the step, {} steps out of stages\n",
+                   "solver       {} Newton iterations, at most {} stages in a step, {} halvings of the step, "
+                   "{} steps at the limit of stages\n",
                    info.newton_iterations, info.most_stages, info.halvings, info.capped_steps);
     fmt::format_to(out, "peaks        strain {:.5g} 1/m, bending strain {:.5g} 1/m, stress {:.5g} Pa",
                    info.peaks.peak_strain, info.peaks.peak_bending_strain, info.peaks.peak_stress);
@@ -343,7 +343,7 @@ std::string run_info_text(const RunInfo& info) {
     fmt::format_to(out, "cracks       {} failed, {} opened; {} split", counted(info.failures, "edge"),
                    info.openings, counted(info.splits, "vertex", "vertices"));
     if (info.vertex_births + info.face_births > 0)
-        fmt::format_to(out, "; {} and {} born", counted(info.vertex_births, "vertex", "vertices"),
+        fmt::format_to(out, "; {} and {} inserted", counted(info.vertex_births, "vertex", "vertices"),
                        counted(info.face_births, "face"));
     text += "\n";
     if (info.last) {
@@ -360,7 +360,7 @@ std::string run_info_text(const RunInfo& info) {
 }
 
 void add_info(CLI::App& program, Command& chosen) {
-    CLI::App* command = program.add_subcommand("info", "Say what happened in a run");
+    CLI::App* command = program.add_subcommand("info", "Summarise a run");
     auto options = std::make_shared<InfoOptions>();
     command->add_option("recording", options->recording, "Recording of a run (.h5)")
         ->required()
@@ -368,25 +368,25 @@ void add_info(CLI::App& program, Command& chosen) {
     command->add_flag("--json", options->json, "For scripts: one JSON object");
     CLI::Option* measures =
         command->add_flag("--measures", options->measures,
-                          "What runs are compared by: sizes of fragments, cracks, peak forces");
-    command->add_option("--over", options->over, "Only fragments heavier than this count, kg (default: all)")
+                          "Measures for comparing runs: sizes of fragments, cracks, peak forces");
+    command->add_option("--over", options->over, "Count only fragments heavier than this, kg (default: all)")
         ->needs(measures)
         ->check(not_negative_number())
         ->option_text("MASS");
     command
         ->add_option("--about", options->about,
-                     "Where radial and ring cracks are counted: a point at rest, m, or the obstacle that "
-                     "touched there first (default: the first crack)")
+                     "Centre for counting radial and ring cracks: a point at rest, m, or the first contact "
+                     "of an obstacle (default: the first crack)")
         ->needs(measures)
         ->option_text("X,Y,Z|OBSTACLE");
-    command->add_option("--radii", options->radii, "Circles that radial cracks are counted on, m")
+    command->add_option("--radii", options->radii, "Radii of circles on which radial cracks are counted, m")
         ->needs(measures)
         ->delimiter(',')
         ->check(positive_number())
         ->option_text("R,R,...");
     command
         ->add_option("--distance", options->distance,
-                     "How alike the fragments of another recording lie at rest: Rand index")
+                     "Compare with the fragments of another recording, at rest: Rand index")
         ->excludes(measures)
         ->option_text("RUN.h5");
     command->footer(

@@ -7,9 +7,9 @@
 namespace sherd {
 
 void add_manual(CLI::App& program, Command& chosen) {
-    CLI::App* command = program.add_subcommand("manual", "Print the manual page, all of this help in one");
+    CLI::App* command = program.add_subcommand("manual", "Print the manual page: the help of all commands");
     command->footer(
-        "An installed package brings it along (man sherd). Elsewhere:\n"
+        "Installed packages contain it (man sherd). Without a package:\n"
         "  sherd manual | man -l -");
     command->callback([&chosen, &program] {
         chosen = [&program] {

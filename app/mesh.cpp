@@ -124,16 +124,15 @@ void add_mesh(CLI::App& program, Command& chosen) {
         program.add_subcommand("mesh", "Write the meshes of a scene's sheets, to look at or to paint on");
     auto options = std::make_shared<MeshOptions>();
     add_scene_options(*command, options->scene);
-    command->add_option("--sheet", options->sheet, "This sheet alone; without it, all")->option_text("NAME");
+    command->add_option("--sheet", options->sheet, "Only this sheet (default: all)")->option_text("NAME");
     command
-        ->add_option(
-            "-o,--output", options->output,
-            "File to write (.obj, .ply, .off, .stl). Of several sheets .obj has an object for each; of the "
-            "others, and of variants, NAME.ext becomes NAME-SHEET.ext, NAME-VARIANT.ext")
+        ->add_option("-o,--output", options->output,
+                     "File to write (.obj, .ply, .off, .stl). Several sheets become several objects in .obj, "
+                     "and files NAME-SHEET.ext in the others; variants become files NAME-VARIANT.ext")
         ->required()
         ->option_text("FILE");
     command->add_flag("--placed", options->placed,
-                      "Where the scene places them; without it, as before `place`");
+                      "Where the scene places them (default: as before `place`)");
     command->add_flag("--force", options->force, "Replace files that exist");
     command->footer("Example:\n  sherd mesh plate_drop -o plate.obj");
     command->callback([&chosen, options] { chosen = [options] { return write_meshes(*options); }; });

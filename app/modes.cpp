@@ -45,12 +45,12 @@ void warn_of_modes(const Scene& scene, const SceneModes& modes) {
     const auto warn = [](const std::string& words) { print_message("sherd: warning: {}\n", words); };
     if (scene.simulation.stepper.shell.bending.model == BendingModel::cubic_2007)
         warn(
-            "with bending = \"cubic-2007\" curved sheets are not in equilibrium where they start: these are "
-            "modes about a shape that they leave");
+            "with bending = \"cubic-2007\" curved sheets are not in equilibrium at the start: these are "
+            "modes about a shape that is not at rest");
     if (modes.vibration.modes.front().unstable())
         warn(
-            "the state in which the scene starts is unstable: what is marked in the table grows by itself "
-            "instead of vibrating");
+            "the initial state of the scene is unstable: modes that the table marks as unstable grow instead "
+            "of vibrating");
 }
 
 /// Prints and records the modes of one scene or variant. Returns false after an interruption.
@@ -89,7 +89,7 @@ int print_all_modes(const ModesOptions& options) {
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         if (i > 0 && !options.json) print_result("\n");
         if (!print_modes(scenes[i], options, json)) {
-            print_message("sherd: interrupted; the recording has the frames up to there\n");
+            print_message("sherd: interrupted; the recording has the frames up to this point\n");
             return interruption_exit_code();
         }
     }
@@ -122,32 +122,34 @@ SceneModes scene_modes(const Scene& scene, const Simulation& simulation, const S
 
 void add_modes(CLI::App& program, Command& chosen) {
     CLI::App* command = program.add_subcommand(
-        "modes", "Natural frequencies and shapes of the sheets of a scene, as they start");
+        "modes", "Compute natural frequencies and mode shapes of a scene's sheets in their initial state");
     auto options = std::make_shared<ModesOptions>();
     add_scene_options(*command, options->scene);
-    command->add_option("-n,--count", options->count, "How many modes, from the slowest on (default 12)")
+    command
+        ->add_option("-n,--count", options->count,
+                     "Number of modes, from the lowest frequency up (default 12)")
         ->check(whole_number(1, 1000))
         ->option_text("N");
     command
         ->add_option("-o,--output", options->output,
-                     "Recording to write (.h5), which plays each mode for a second; of variants NAME.h5 "
+                     "Recording to write (.h5), which plays each mode for a second; for variants NAME.h5 "
                      "becomes NAME-VARIANT.h5")
         ->option_text("MODES.h5");
     command
         ->add_option("--amplitude", options->frames.amplitude,
-                     "Largest displacement in the recording, over the size of the sheets (default 0.05)")
+                     "Largest displacement in the recording, as a share of the sheets' size (default 0.05)")
         ->check(number_within(1e-6, 10))
         ->option_text("SHARE");
     command
         ->add_option("--frames", options->frames.a_mode,
-                     "Of each mode in the recording, a multiple of 4 (default 24)")
+                     "Frames per mode in the recording, a multiple of 4 (default 24)")
         ->check(whole_number(4, 1000))
         ->check([](const std::string& given) {
             return std::stoi(given) % 4 == 0 ? std::string() : "is no multiple of 4: " + given;
         })
         ->option_text("N");
     command->add_flag("--json", options->json,
-                      "For scripts: one JSON object, of several variants an array of them");
+                      "For scripts: one JSON object, or an array of them for several variants");
     command->add_flag("--force", options->force, "Replace a recording that exists");
     command->footer("Example:\n  sherd modes sheet_hang -n 6 -o modes.h5");
     command->callback([&chosen, options] { chosen = [options] { return print_all_modes(*options); }; });

@@ -33,8 +33,7 @@ std::string modes_text(const Scene& scene, const SceneModes& modes) {
                    counted(modes.vertices, "vertex", "vertices"), counted(modes.faces, "face"),
                    vibration.freedoms);
     if (vibration.rigid > 0)
-        fmt::format_to(out,
-                       "rigid        {} motions that nothing resists, of frequency 0, not in the table\n",
+        fmt::format_to(out, "rigid        {} rigid motions, of frequency 0, not in the table\n",
                        vibration.rigid);
     if (!modes.left_out.empty()) fmt::format_to(out, "left out     {}\n", fmt::join(modes.left_out, "; "));
     if (static_cast<Index>(vibration.modes.size()) == vibration.freedoms - vibration.rigid)

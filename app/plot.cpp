@@ -320,13 +320,14 @@ void add_plot(CLI::App& program, Command& chosen) {
         ->required()
         ->option_text("FILE");
     command
-        ->add_option("--x", options->axes.x, "Of a table: the column along the axis; its last part will do")
+        ->add_option("--x", options->axes.x,
+                     "For a table: the column on the x axis; the end of its name is enough")
         ->option_text("NAME");
-    command->add_option("--y", options->axes.y, "Of a table: the column to draw over it")
+    command->add_option("--y", options->axes.y, "For a table: the column on the y axis")->option_text("NAME");
+    command
+        ->add_option("--by", options->axes.by, "For a table: a column whose values are told apart by colour")
         ->option_text("NAME");
-    command->add_option("--by", options->axes.by, "Of a table: a column whose values have a colour each")
-        ->option_text("NAME");
-    command->add_option("--log", options->log, "Of a table: which axes are logarithmic")
+    command->add_option("--log", options->log, "For a table: logarithmic axes")
         ->check(CLI::IsMember({"x", "y", "xy"}))
         ->option_text("x|y|xy");
     command->add_option("-o,--output", options->output, "SVG file (default: beside the input)")

@@ -60,7 +60,7 @@ int run(const std::string& name, const Command& command) {
     } catch (const Error& error) {
         return report(name, error.what(), error.fault == Fault::input ? bad_input : failed);
     } catch (const std::bad_alloc&) {
-        return report(name, "there is not enough memory for this", failed);
+        return report(name, "there is not enough memory", failed);
     } catch (const std::exception& error) {
         return report(name, error.what(), failed);
     }

@@ -68,8 +68,7 @@ StageOptions stage_options(const RenderOptions& options, const PictureOptions& p
         !std::isfinite(stage.range->second))
         throw Error(fmt::format("--range {}: give LOW:HIGH, two numbers, the smaller first", options.range));
     if (!is_scalar(stage.colour))
-        throw Error(fmt::format("--range {}: goes with --color {} only", options.range,
-                                colour_names(scalar_colours)));
+        throw Error(fmt::format("--range {}: needs --color {}", options.range, colour_names(scalar_colours)));
     return stage;
 }
 
@@ -112,8 +111,7 @@ std::vector<Moment> planned_moments(const RenderOptions& options, const Recordin
 void check_pace(const RenderOptions& options) {
     check_slow_motion(options.slow);
     if (options.film.empty() && (options.slow.factor || options.slow.rate))
-        throw Error(
-            fmt::format("{} has a meaning with --film only", options.slow.factor ? "--slow" : "--rate"));
+        throw Error(fmt::format("{} needs --film", options.slow.factor ? "--slow" : "--rate"));
 }
 
 /// The name to lock while pictures are drawn: the single file, or the common name of all without their
@@ -233,27 +231,31 @@ void add_render(CLI::App& program, Command& chosen) {
     };
     option("recording", options->recording, "Recording of a run (.h5)", "RUN.h5")->required();
     option("-o,--output", options->output,
-           "Folder for the pictures, or for one picture a .png; of a film there need be none", "PATH");
+           "Folder for the pictures, or a .png file for one picture; not needed with --film", "PATH");
     option("--frames", options->frames,
-           "last (default), all (default of a film), numbers and START:STOP:STEP as in Python", "WHICH");
-    option("--color", options->colour, "What the colours show (default: fragment)",
+           "Frames: last (default), all (default for a film), or numbers and START:STOP:STEP as in Python",
+           "WHICH");
+    option("--color", options->colour, "Quantity that colours show (default: fragment)",
            "fragment|strain|speed|stress|curvature|axis|tips|material|none");
     option("--range", options->range,
-           "Of strain, curvature (1/m), speed (m/s), stress (Pa) or tips (1); default: all of the recording",
+           "Range of the colours for strain, curvature (1/m), speed (m/s), stress (Pa) or tips (1); default: "
+           "that of the recording",
            "LOW:HIGH");
-    option("--size", options->size, "Pixels (default 960x540)", "WxH");
-    option("--samples", options->samples, "Of each pixel: more have less grain (default 32)", "N");
+    option("--size", options->size, "Size in pixels (default 960x540)", "WxH");
+    option("--samples", options->samples, "Samples per pixel; more give less noise (default 32)", "N");
     option("--camera", options->camera,
-           "AZIMUTH,ELEVATION[,ZOOM] in degrees (default 20,28), or eye and target X,Y,Z,X,Y,Z[,ANGLE] in m",
+           "View: AZIMUTH,ELEVATION[,ZOOM] in degrees (default 20,28), or eye and target X,Y,Z,X,Y,Z[,ANGLE] "
+           "in m",
            "WHERE");
-    option("--ground", options->ground, "auto (default): the scene's planes, or one below everything; none",
-           "auto|none");
+    option("--ground", options->ground,
+           "Ground: auto (default), the scene's planes or one below everything; or none", "auto|none");
     option("--film", options->film,
-           "Make a film, slowed, with pictures between the frames (.mp4, needs ffmpeg)", "FILE.mp4");
-    add_slow_motion_options(*command, options->slow, "Pictures a second of the film (default 24)");
-    option("--threads", options->threads, "Default: as many as the processor runs at once", "N");
-    command->add_flag("--plain", options->plain,
-                      "Without the colour bar and the caption that come with colours of numbers");
+           "Make a slow-motion film, with pictures interpolated between frames (.mp4, needs ffmpeg)",
+           "FILE.mp4");
+    add_slow_motion_options(*command, options->slow, "Pictures per second of the film (default 24)");
+    option("--threads", options->threads,
+           "Number of threads (default: as many as the processor runs at once)", "N");
+    command->add_flag("--plain", options->plain, "Leave out the colour bar and the caption");
     command->add_flag("--force", options->force, "Replace files that exist");
     command->footer(
         "Examples:\n"

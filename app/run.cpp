@@ -70,7 +70,7 @@ Scene scene_from(Scene scene, const std::optional<Checkpoint>& checkpoint) {
 }
 
 void say_that_nothing_is_left(const std::filesystem::path& file, double time, const std::string& unit) {
-    print_message("sherd: '{}' has come to {:g} {}: nothing is left to do\n", file.string(), time, unit);
+    print_message("sherd: '{}' has reached {:g} {}: nothing is left to do\n", file.string(), time, unit);
 }
 
 /// Reports that a run is resumed, and prepares its recording; or reports that nothing is left to do. Returns
@@ -84,7 +84,7 @@ bool goes_on(const std::filesystem::path& file, const Runner& runner, const EndA
         say_that_nothing_is_left(file, now, unit);
         return false;
     }
-    print_message("sherd: '{}' goes on from {:g} {}\n", file.string(), now, unit);
+    print_message("sherd: '{}' is resumed at {:g} {}\n", file.string(), now, unit);
     recorder.go_on(runner.scene());
     return true;
 }
@@ -119,22 +119,22 @@ int run(const Scene& scene, const std::filesystem::path& file, const RunOptions&
     print_message("{}", time_table(simulation.time_spent(), recorder.seconds() + keeper.seconds(),
                                    end.wall_seconds - seconds_before));
     if (end.is_complete() || end_at.has_come(simulation.time())) return 0;
-    print_message("sherd: interrupted; '{}' has the run up to {}; with --resume it goes on\n", file.string(),
+    print_message("sherd: interrupted; '{}' has the run up to {}; --resume continues it\n", file.string(),
                   moment_words(fmt::format("{:g}", simulation.time()), scene.time_unit()));
     return interruption_exit_code();
 }
 
 int run(const RunOptions& options) {
     require_kind(options.output, ".h5",
-                 "a recording is HDF5; name a .h5 file, of which sherd export makes others");
+                 "a recording is HDF5; name a .h5 file, from which sherd export makes other formats");
     const std::vector<Scene> scenes = read_scenes(options.scene);
     const Scene& first = scenes.front();
     if (options.scene.choice.variant.empty() && !first.variant.empty() &&
         std::filesystem::is_fifo(options.scene.file))
-        throw Error(fmt::format(
-            "{}: has variants, and each is run by a process of its own that reads it: give a file, or "
-            "--variant NAME",
-            options.scene.file.string()));
+        throw Error(
+            fmt::format("{}: has variants, and each is run by a process of its own, which reads the scene "
+                        "again: give a file, or --variant NAME",
+                        options.scene.file.string()));
     if (options.scene.choice.variant.empty() && !first.variant.empty()) return run_variants(scenes, options);
     return run(first, options.output.empty() ? recording_name(first) : options.output, options);
 }
@@ -146,22 +146,23 @@ void add_run(CLI::App& program, Command& chosen) {
     auto options = std::make_shared<RunOptions>();
     add_scene_options(*command, options->scene);
     command->add_option("-o,--output", options->output,
-                        "Recording to write (.h5); an .xdmf for ParaView goes beside it. Default: the "
-                        "scene's name. Of all variants: NAME.h5 becomes NAME-VARIANT.h5 for each; anything "
-                        "else is a folder for them");
+                        "Recording to write (.h5); an .xdmf for ParaView is written beside it. Default: the "
+                        "scene's name. With several variants NAME.h5 becomes NAME-VARIANT.h5 for each; any "
+                        "other name is a folder for them");
     command->add_flag("--force", options->force, "Replace a recording that exists");
     command->add_flag("--resume", options->resume,
-                      "Go on from the last checkpoint; only duration may be another than before");
-    command->add_option("--until", options->until, "End at this simulated time; --resume goes on from there")
+                      "Continue from the last checkpoint; only duration may differ");
+    command
+        ->add_option("--until", options->until, "End at this simulated time; --resume continues from there")
         ->check(positive_number())
         ->option_text("TIME");
     command
         ->add_option("--threads", options->threads,
-                     "Threads at most; results do not depend on them. Default: as many as the processor runs "
-                     "at once, up to 4")
+                     "Largest number of threads; results do not depend on it. Default: as many as the "
+                     "processor runs at once, up to 4")
         ->check(whole_number(1))
         ->option_text("N");
-    command->add_option("-j,--jobs", options->jobs, "How many variants to run at a time")
+    command->add_option("-j,--jobs", options->jobs, "Number of variants to run at a time")
         ->check(whole_number(1))
         ->capture_default_str();
     command->add_option("--progress-to", options->progress_to, "Descriptor for reports to this program")

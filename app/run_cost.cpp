@@ -111,8 +111,8 @@ std::string cost_lines(const RunCost& cost) {
                     bytes_words(cost.peak_memory > 0 ? cost.peak_memory : cost.memory));
     if (cost.seconds > 0)
         text += fmt::format(
-            "will take about {} here, going by the first steps; contact makes later ones several times as "
-            "long, and what breaks often 10 to 100 times\n",
+            "will take about {} on this machine, estimated from the first steps; contact makes later steps "
+            "several times as long, and cracks often 10 to 100 times\n",
             time_words(cost.seconds));
     return text;
 }

@@ -17,8 +17,8 @@ std::optional<Checkpoint> read_last(const std::filesystem::path& file) {
     print_warnings(warnings);
     if (last && !std::filesystem::exists(file))
         throw Error(
-            fmt::format("there are checkpoints of '{}', but not the recording itself: put it back, or "
-                        "pass --force instead of --resume to begin anew",
+            fmt::format("there are checkpoints of '{}', but not the recording itself: restore it, or pass "
+                        "--force instead of --resume to start again",
                         file.string()));
     return last;
 }
@@ -34,10 +34,10 @@ RunStart run_start(const std::filesystem::path& file, const RunOptions& options)
         start.is_finished = Recording(file).end() == "complete";
         if (start.is_finished) return start;
         throw Error(
-            fmt::format("'{}' has no checkpoint to go on from; pass --force to begin anew", file.string()));
+            fmt::format("'{}' has no checkpoint to resume from; pass --force to start again", file.string()));
     }
     if (options.resume)
-        print_message("sherd: '{}' has not been begun: the run starts at its beginning\n", file.string());
+        print_message("sherd: '{}' does not exist yet: the run starts from the beginning\n", file.string());
     remove_checkpoints(file);
     return start;
 }
@@ -48,18 +48,18 @@ void require_whole(const std::filesystem::path& file, const Scene& scene, double
     const std::vector<StepReport> steps = recording.steps();
     const double time = steps.empty() ? 0 : steps.back().time;
     if (!scene.is_static() && time > end_time * (1 + rounding))
-        throw Error(fmt::format("the run has come to {:g} s, past duration = {:g}; give a longer one", time,
-                                scene.duration));
+        throw Error(fmt::format("the run has reached {:g} s, past duration = {:g}; give a longer duration",
+                                time, scene.duration));
     if (!scene.is_static() && time < end_time * (1 - rounding))
-        throw Error(fmt::format(
-            "'{}' is complete at {:g} s, and has no checkpoint from which it could be made longer (none is "
-            "written before the first output.checkpoint); --force instead of --resume runs it from its "
-            "beginning",
-            file.string(), time));
+        throw Error(
+            fmt::format("'{}' is complete at {:g} s, and has no checkpoint from which it could be continued "
+                        "(none is written before the first output.checkpoint); --force instead of --resume "
+                        "runs it from the beginning",
+                        file.string(), time));
     if (recording.header().scene_text != scene.text)
         throw Error(
-            fmt::format("'{}' is complete, of a scene with another text or other --set, or these in another "
-                        "order; --force instead of --resume begins anew",
+            fmt::format("'{}' is complete, but its scene had another text or other --set, or these in "
+                        "another order; --force instead of --resume starts again",
                         file.string()));
 }
 

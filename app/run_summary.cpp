@@ -68,10 +68,10 @@ std::string explicit_words(const RunTotals& totals) {
     for (const auto& [urgency, name] : names)
         if (const auto times = totals.urgencies[static_cast<std::size_t>(urgency)]; times > 0)
             causes.push_back(fmt::format("{} {}", name, times));
-    std::string words = fmt::format("{:g} s of it", totals.explicit_time);
-    if (!causes.empty()) words += fmt::format("; begun by: {}", fmt::join(causes, ", "));
+    std::string words = fmt::format("{:g} s of this time", totals.explicit_time);
+    if (!causes.empty()) words += fmt::format("; started by: {}", fmt::join(causes, ", "));
     if (const auto times = totals.urgencies[static_cast<std::size_t>(Urgency::overwhelmed)]; times > 0)
-        words += fmt::format("; {} they could not go on, and implicit ones did",
+        words += fmt::format("; {} they failed, and implicit steps continued",
                              times == 1 ? "once" : counted(times, "time"));
     return words;
 }
@@ -82,9 +82,9 @@ void add_made_energy(std::string& text, const RunTotals& totals, const Scene& sc
     constexpr double much = 0.1;  // share of the largest energy
     const double made = -totals.last.lost_to_scheme;
     if (!scene.is_static() && made > much * totals.largest_energy)
-        add_row(text, "energy from nowhere",
-                fmt::format("{:.3g} J, made by the time scheme, of {:.3g} J at most: take shorter steps, or "
-                            "another solver.scheme",
+        add_row(text, "energy gained",
+                fmt::format("{:.3g} J, an error of the time scheme; the largest energy is {:.3g} J: use "
+                            "shorter steps, or another solver.scheme",
                             made, totals.largest_energy));
 }
 
@@ -133,7 +133,7 @@ std::string run_summary(const RunTotals& totals, const RunEnd& end, const std::f
         add_row(text, "failures forbidden",
                 fmt::format("{}, which would have made pieces below fracture.smallest",
                             simulation.forbidden_failures()));
-    if (totals.capped > 0) add_row(text, "steps out of stages", fmt::format("{}", totals.capped));
+    if (totals.capped > 0) add_row(text, "steps at stage limit", fmt::format("{}", totals.capped));
     add_made_energy(text, totals, scene);
     if (totals.cracks == 0 && totals.last.step > 0) text += peak_table(peak_rows(scene, simulation));
     if (const auto names = untouched_obstacles(scene, simulation); !names.empty())

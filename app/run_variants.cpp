@@ -178,7 +178,7 @@ int run_variants(std::span<const Scene> variants, const RunOptions& options) {
     const std::vector<std::string> failed = runner.run();
     if (runner.stopped) {
         print_message(
-            "sherd: interrupted; of {} variants {} were not run to their end; with --resume they go on\n",
+            "sherd: interrupted; of {} variants {} were not run to their end; --resume continues them\n",
             variants.size(), runner.left());
         return interruption_exit_code();
     }

@@ -120,7 +120,7 @@ void add_scenes(CLI::App& program, Command& chosen) {
     CLI::Option* keys =
         command
             ->add_option("--keys", options->keys,
-                         "The keys of scenes, of one table or one key: what each may be and means")
+                         "Keys of scenes, of one table or one key alone: values, defaults and meaning")
             ->option_text("[TABLE]")
             ->expected(0, 1)
             ->excludes(copy);
@@ -130,7 +130,7 @@ void add_scenes(CLI::App& program, Command& chosen) {
     command->add_flag("--markdown", options->markdown, "For pages: tables of Markdown")->group("");
     command->add_option("--settable", options->settable, "For completion: dotted keys of a scene")->group("");
     command->footer(
-        "Any command takes the name of one in place of a file.\n"
+        "Any command accepts the name of a scene in place of a file.\n"
         "Examples:\n"
         "  sherd scenes\n"
         "  sherd run plate_drop\n"

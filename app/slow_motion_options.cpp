@@ -5,8 +5,9 @@ namespace sherd {
 
 void add_slow_motion_option(CLI::App& command, std::optional<double>& factor) {
     command
-        .add_option("--slow", factor,
-                    "How many times slower than reality, 1 is real time (default: it lasts 4 to 10 s)")
+        .add_option(
+            "--slow", factor,
+            "How many times slower than reality; 1 is real time (default: such that it lasts 4 to 10 s)")
         ->option_text("FACTOR");
 }
 

@@ -60,9 +60,9 @@ std::pair<std::size_t, std::size_t> row_range(const std::string& text, std::size
     };
     if (ends.size() != 2 || !std::ranges::all_of(ends, is_number) ||
         std::stoul(ends[0]) > std::stoul(ends[1]))
-        throw Error(fmt::format("--rows {}: give FIRST-LAST, as 0-99", text));
+        throw Error(fmt::format("--rows {}: give FIRST-LAST, such as 0-99", text));
     if (std::stoul(ends[0]) >= count)
-        throw Error(fmt::format("--rows {}: the study has {} rows, from 0 on", text, count));
+        throw Error(fmt::format("--rows {}: the study has {} rows, counted from 0", text, count));
     return {std::stoul(ends[0]), std::min(count, std::stoul(ends[1]) + 1)};
 }
 
@@ -89,8 +89,8 @@ void tell_of_before(const SweepState& state, const StudyRows& rows, const fs::pa
             state.of_other_program, (folder / "rows").string());
     if (state.foreign > 0)
         print_message(
-            "sherd: the study has changed: {} results are of rows that it does not have any more; "
-            "they are kept and not in its tables\n",
+            "sherd: the study has changed: {} results belong to rows that it no longer has; they are kept, "
+            "but are not in its tables\n",
             state.foreign);
 }
 
@@ -127,7 +127,7 @@ int end_of_sweep(const Sweep& sweep, bool complete) {
     print_message("{}", failed_lines(sweep.rows, results, state.failed));
     if (!complete) {
         print_message(
-            "sherd: interrupted; the same command goes on with the rows that were not run to their end\n");
+            "sherd: interrupted; the same command continues with the rows that were not run to their end\n");
         return interruption_exit_code();
     }
     if (!state.failed.empty())
@@ -230,7 +230,7 @@ int sweep(const SweepOptions& options) {
 
 void add_slurm_options(CLI::App& command, SweepOptions& options) {
     CLI::Option* slurm =
-        command.add_flag("--slurm", options.slurm, "Hand the rows to Slurm as a job array, and end");
+        command.add_flag("--slurm", options.slurm, "Submit the rows to Slurm as a job array, and exit");
     const auto add = [&](const char* name, auto& value, const char* text, const char* description) {
         return command.add_option(name, value, description)->option_text(text)->needs(slurm);
     };
@@ -238,17 +238,19 @@ void add_slurm_options(CLI::App& command, SweepOptions& options) {
     add("--partition", of.partition, "NAME", "Partition of Slurm");
     add("--account", of.account, "NAME", "Account of Slurm");
     add("--time", of.time, "TIME",
-        "Time limit of a task, as sbatch takes it; default: several times what the first steps tell");
+        "Time limit of a task, in the form of sbatch; default: several times the estimate from the first "
+        "steps");
     add("--memory", of.memory, "SIZE",
-        "Memory of a task, as sbatch takes it; default: by the first steps, too");
+        "Memory of a task, in the form of sbatch; default: estimated from the first steps, too");
     add("--chunk", of.chunk, "N",
-        "Rows of a task; default: what takes less than an hour, in 1000 tasks at most")
+        "Rows per task; default: as many as take less than an hour, in 1000 tasks at most")
         ->check(whole_number(1));
     command
         .add_flag("--status", options.status,
-                  "Say how many rows are done, failed, running and waiting, and end")
+                  "Report how many rows are done, failed, running and waiting, and exit")
         ->excludes(slurm);
-    command.add_flag("--collect", options.collect, "Make the tables of what is done, and run nothing")
+    command
+        .add_flag("--collect", options.collect, "Write the tables of the rows that are done, and run nothing")
         ->excludes(slurm);
 }
 
@@ -256,7 +258,7 @@ void add_slurm_options(CLI::App& command, SweepOptions& options) {
 
 void add_sweep(CLI::App& program, Command& chosen) {
     CLI::App* command = program.add_subcommand(
-        "sweep", "Run a study: a scene many times, with parameters that vary, into one table");
+        "sweep", "Run a study: a scene many times, with parameters that vary, with one table of results");
     auto options = std::make_shared<SweepOptions>();
     command
         ->add_option("study", options->study,
@@ -264,22 +266,23 @@ void add_sweep(CLI::App& program, Command& chosen) {
         ->required()
         ->option_text("STUDY.toml");
     command
-        ->add_option("-o,--output", options->folder,
-                     "Folder for tables and recordings; what is there goes on. Default: the study's name")
+        ->add_option(
+            "-o,--output", options->folder,
+            "Folder for tables and recordings; a study that is there is continued. Default: the study's name")
         ->option_text("FOLDER");
     command
-        ->add_option(
-            "-j,--jobs", options->jobs,
-            "Rows to run at a time; default: as many as the processor runs at once, in a task of Slurm 1")
+        ->add_option("-j,--jobs", options->jobs,
+                     "Number of rows to run at a time; default: as many as the processor runs at once, 1 in "
+                     "a task of Slurm")
         ->check(whole_number(1))
         ->option_text("N");
-    command->add_flag("--retry", options->retry, "Run rows again that failed");
+    command->add_flag("--retry", options->retry, "Run failed rows again");
     command->add_flag("--quick", options->quick,
-                      "Take the keys of the study's table [quick] over the others");
+                      "Let the keys of the study's table [quick] override the others");
     command
         ->add_option("--rows", options->rows,
-                     "Run these rows only, beside others who run other ones; the first is 0. --collect makes "
-                     "the tables")
+                     "Run only these rows, while other processes run others; the first is 0. --collect "
+                     "writes the tables")
         ->option_text("FIRST-LAST");
     add_slurm_options(*command, *options);
     command->footer(

@@ -42,7 +42,8 @@ void add_tip_table(std::string& text, std::vector<TipInfo> tips, const std::stri
                        tip.largest / tip.last.toughness, tip.last.opening, tip.last.shear, tip.last.bending,
                        tip.last.twist);
     if (count > most)
-        fmt::format_to(out, "... and {} that bore less; all are in /tips\n", counted(count - most, "tip"));
+        fmt::format_to(out, "... and {} with a smaller largest G; all are in /tips\n",
+                       counted(count - most, "tip"));
 }
 
 Json tips_json(std::span<const TipInfo> tips) {

@@ -52,7 +52,7 @@ std::string usage_message(const CLI::App* program, const CLI::Error& error) {
     if (left.empty() || error.get_exit_code() != static_cast<int>(CLI::ExitCodes::ExtrasError))
         text += fmt::format("sherd: error: {}\n", error.what());
     if (left.size() > 1 && left.front() == "--")
-        text += fmt::format("sherd: error: '{}' is one argument too many: behind '--' there are no options\n",
+        text += fmt::format("sherd: error: '{}' is one argument too many: after '--' there are no options\n",
                             left[1]);
     else if (!left.empty())
         text += fmt::format("sherd: error: {}\n", unknown_word(*program, left.front()));

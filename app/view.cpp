@@ -92,7 +92,7 @@ std::optional<PageLook> look_for(const Recording& recording, const Snapshot& las
         return PageLook(look, static_cast<std::size_t>(picture_bytes), warnings);
     warnings.push_back(
         fmt::format("the page shows no materials and colours of the sheets, so that its data stay near {:g} "
-                    "MB; --megabytes makes room for more",
+                    "MB; --megabytes allows more",
                     most_bytes / 1e6));
     return std::nullopt;
 }
@@ -115,11 +115,10 @@ PageJson fitting_data(const Recording& recording, const RenderStage& stage, doub
     const Eigen::Index whole = last.position.cols();
     if (thinning) {
         last = thinning->thinned(last);
-        warnings.push_back(
-            fmt::format("the page has {} of {} vertices, so that its data stay near {:g} MB: those within "
-                        "{:.2g} m are merged, and fragments smaller than that may be missing; --megabytes "
-                        "makes room for more",
-                        last.position.cols(), whole, megabytes, thinning->cube_length()));
+        warnings.push_back(fmt::format(
+            "the page has {} of {} vertices, so that its data stay near {:g} MB: those within {:.2g} m are "
+            "merged, and fragments smaller than that may be missing; --megabytes allows more",
+            last.position.cols(), whole, megabytes, thinning->cube_length()));
     }
     const std::optional<PageLook> look =
         look_for(recording, last, thinning.has_value(), most_bytes, warnings);
@@ -132,10 +131,9 @@ PageJson fitting_data(const Recording& recording, const RenderStage& stage, doub
         shown_frames(recording.frame_count(), static_cast<std::size_t>(vertices * frame_bytes + shapes),
                      static_cast<std::size_t>(room));
     if (frames.size() < recording.frame_count())
-        warnings.push_back(
-            fmt::format("the page has {} of {} frames, so that its data stay near {:g} MB; --megabytes "
-                        "makes room for more",
-                        frames.size(), recording.frame_count(), megabytes));
+        warnings.push_back(fmt::format(
+            "the page has {} of {} frames, so that its data stay near {:g} MB; --megabytes allows more",
+            frames.size(), recording.frame_count(), megabytes));
     return view_data(recording, stage, frames, thinning, look);
 }
 
@@ -198,14 +196,13 @@ void add_view(CLI::App& program, Command& chosen) {
     command
         ->add_option(
             "--color", options->colour,
-            "What its colours can show beside fragments (default: strain), or show at first: material")
+            "Quantity that colours can show besides fragments (default: strain); material: shown first")
         ->option_text("strain|stress|curvature|material");
     add_slow_motion_option(*command, options->slow);
-    command->add_option("--megabytes", options->megabytes, "Of data in the page (default 64)")
+    command->add_option("--megabytes", options->megabytes, "Megabytes of data in the page (default 64)")
         ->check(number_within(1, 400))
         ->option_text("N");
-    command->add_flag("--plain", options->plain,
-                      "Without the colour bar and the caption that come with colours of numbers");
+    command->add_flag("--plain", options->plain, "Leave out the colour bar and the caption");
     command->add_flag("--force", options->force, "Replace a file that exists");
     command->footer("Example:\n  sherd view plate_drop.h5 -o plate.html");
     command->callback([&chosen, options] { chosen = [options] { return view(*options); }; });

@@ -227,7 +227,7 @@ std::string Simulation::failure(const Attempt& last) const {
     const double farthest = breakable.mechanics().position.cwiseAbs().maxCoeff();
     if (const double spacing = position_spacing(farthest);
         spacing > coarsest_spacing * mean_edge_length(breakable.mechanics()))
-        text << "it lies " << farthest << " m from the origin, where positions have steps of " << spacing
+        text << "it lies " << farthest << " m from the origin, where positions are rounded to " << spacing
              << " m: place the scene near the origin";
     else
         text << "more iterations (solver.max_iterations) or a larger solver.tolerance may help, and sherd "

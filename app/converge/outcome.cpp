@@ -127,8 +127,9 @@ Scene with_edges(Scene scene, double times) {
         }
         auto* file = std::get_if<MeshFile>(&sheet.mesh);
         if (file == nullptr || !file->remesh)
-            throw Error(
-                fmt::format("{}: a mesh from a file has no other edges: give it a remesh", sheet.where));
+            throw Error(fmt::format(
+                "{}: the edge length of a mesh from a file can be changed only with remesh: add remesh",
+                sheet.where));
         file->remesh->edge_length *= times;
     }
     return scene;
@@ -138,7 +139,7 @@ Scene with_steps(Scene scene, double times) {
     scene.simulation.stepper.step *= times;
     scene.frame_interval = std::max(scene.frame_interval, scene.simulation.stepper.step);
     if (scene.simulation.stepper.step > scene.duration)
-        throw Error(fmt::format("a step of {:g} {} is longer than the run: give solver.step a quarter of it",
+        throw Error(fmt::format("a step of {:g} {} is longer than the run: divide solver.step by four",
                                 scene.simulation.stepper.step, scene.time_unit()));
     return scene;
 }

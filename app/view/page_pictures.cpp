@@ -40,8 +40,7 @@ void PagePictures::fit(std::size_t most_bytes, std::vector<std::string>& warning
     for (const Picture& picture : pictures)
         if (picture.smaller.width > 0)
             warnings.push_back(
-                fmt::format("the page has the picture '{}' with {} x {} pixels only; --megabytes makes room "
-                            "for more",
+                fmt::format("the page has the picture '{}' with {} x {} pixels only; --megabytes allows more",
                             picture.file.string(), picture.smaller.width, picture.smaller.height));
 }
 

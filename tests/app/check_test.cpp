@@ -142,14 +142,14 @@ TEST(Plausibility, EdgesShorterThanTheThicknessAreTold) {
 TEST(Plausibility, PlacesWhereDigitsRunOutAreTold) {
     EXPECT_EQ(with({"sheet.disc.place.translate=[1e5, 0, 0.05]"}), "");
     EXPECT_NE(with({"sheet.disc.place.translate=[1e9, 0, 0.05]", "obstacle={}"})
-                  .find("is 1e+09 m from the origin, where positions have steps of 2e-07 m"),
+                  .find("is 1e+09 m from the origin, where positions are rounded to 2e-07 m"),
               std::string::npos);
 }
 
 TEST(Plausibility, WhatGoesTooFarInAStepIsTold) {
     const std::string fast = with({"sheet.disc.velocity=[0,0,-500]"});
     EXPECT_TRUE(
-        contains(fast, "sheet.disc comes 0.05 m nearer to what it meets in one solver.step of 0.0001 s"))
+        contains(fast, "sheet.disc comes 0.05 m nearer to what it hits in one solver.step of 0.0001 s"))
         << fast;
     EXPECT_TRUE(contains(fast, "use a step of 4e-05 s or less") ||
                 contains(fast, "use a step of 3e-05 s or less"))
@@ -270,7 +270,7 @@ TEST(Check, TellsWhatARunWillTake) {
     EXPECT_EQ(tried.exit_code, 0) << tried.err;
     EXPECT_TRUE(contains(tried.out, "will take 300 steps, 101 frames, a recording of about ")) << tried.out;
     EXPECT_TRUE(contains(tried.out, "will take about ") &&
-                contains(tried.out, " here, going by the first steps"))
+                contains(tried.out, " on this machine, estimated from the first steps"))
         << tried.out;
     const ProgramResult untried = run_sherd({"check", "scene.toml", "--no-try"}, directory.path);
     EXPECT_TRUE(contains(untried.out, "will take 300 steps")) << untried.out;

@@ -83,7 +83,7 @@ class Sheets(unittest.TestCase):
             sherd.Simulation(scene(self.positions, self.faces + 1))
         with self.assertRaisesRegex(sherd.Error, r"square.faces: is an array of shape \[32, 2\]"):
             sherd.Scene(scene(self.positions, self.faces[:, :2]))
-        with self.assertRaisesRegex(sherd.Error, "no program has given a mesh of the name 'elsewhere'"):
+        with self.assertRaisesRegex(sherd.Error, "no program has passed a mesh of the name 'elsewhere'"):
             sherd.Simulation({"duration": 1, "sheet": {"a": {"mesh": {"given": "elsewhere"},
                                                              "material": {"preset": "glass"}}}})
 

@@ -102,7 +102,7 @@ TEST(RunVariants, EndTogetherWhenInterrupted) {
         run_sherd({"run", "scene.toml", "--set", "duration=1000"}, directory.path, {}, end);
     EXPECT_EQ(result.exit_code, 143) << result.err;
     EXPECT_TRUE(result.err.ends_with(
-        "\nsherd: interrupted; of 3 variants 3 were not run to their end; with --resume they go on\n"))
+        "\nsherd: interrupted; of 3 variants 3 were not run to their end; --resume continues them\n"))
         << result.err;
     for (const std::string name : {"slow", "fast"}) {
         EXPECT_GE(Recording(directory.path / ("scene-" + name + ".h5")).frame_count(), 1u);

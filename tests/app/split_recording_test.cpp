@@ -90,7 +90,8 @@ TEST(SplitRecording, InfoSharesAreaAndMassOut) {
     EXPECT_NEAR(info.sheets.at(0).area, 1.5, 1e-15);
     ASSERT_TRUE(info.membrane_strain);
     EXPECT_NEAR(info.membrane_strain->strain, 0, 1e-12) << "pieces move rigidly";
-    EXPECT_NE(run_info_text(info).find("3 vertices split; 3 vertices and 6 faces born"), std::string::npos);
+    EXPECT_NE(run_info_text(info).find("3 vertices split; 3 vertices and 6 faces inserted"),
+              std::string::npos);
     EXPECT_NE(run_info_json(info).find("\"faces_born\": 6"), std::string::npos);
 }
 

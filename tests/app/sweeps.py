@@ -148,7 +148,7 @@ class Sweeps(unittest.TestCase):
         process.send_signal(signal.SIGINT)
         out, err = process.communicate()
         self.assertEqual(process.returncode, 130, err)
-        self.assertIn("the same command goes on", err)
+        self.assertIn("the same command continues", err)
         self.assertIn("0 failed", out, "what an interruption ends has not failed")
         self.assertEqual(len(self.table()), 8)
         self.sweep()

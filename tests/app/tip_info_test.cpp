@@ -44,7 +44,7 @@ TEST(TipInfo, ListsThoseThatBoreMostOfMany) {
     EXPECT_EQ(text.find("\n4  "), std::string::npos);
     EXPECT_NE(text.find("\n5  "), std::string::npos);
     EXPECT_NE(text.find("\n24 "), std::string::npos);
-    EXPECT_NE(text.find("5 tips that bore less"), std::string::npos);
+    EXPECT_NE(text.find("5 tips with a smaller largest G"), std::string::npos);
 }
 
 }  // namespace

@@ -212,7 +212,7 @@ TEST_F(UnevenBeam, StartsWhereHalfItsThicknessLetsIt) {
                              "place = { translate = [0, 0, 0.007] }\n[obstacle.floor]\nplane = {}\n";
     directory.write("beam.toml", text);
     const ProgramResult result = run_sherd({"check", "beam.toml", "--no-try"}, directory.path);
-    EXPECT_NE(result.out.find("the deepest, 0.003 m beyond touching"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("is 0.003 m beyond touching"), std::string::npos) << result.out;
     std::vector<std::string> warnings;
     const Scene scene = read_scene(directory.path / "beam.toml");
     const BuiltScene built = build_scene(scene, warnings);

@@ -45,7 +45,7 @@ TEST(UsageMessage, AMisspeltOptionThatIsMissingIsToldWithIt) {
 TEST(UsageMessage, AnArgumentTooManyIsNamed) {
     expect_usage_error({"run", "a.toml", "b.toml"}, {"'b.toml' is one argument too many of 'sherd run'"});
     expect_usage_error({"run", "--", "a.toml", "-o", "b.h5"},
-                       {"is one argument too many: behind '--' there are no options"});
+                       {"is one argument too many: after '--' there are no options"});
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ def row(sherd, name, mesh, remesh):
             if done.returncode != 0:
                 refused += 1
                 print(f"{name} {remesh} {thickness}: {done.stderr}", file=sys.stderr)
-    edges = re.search(r"edges \S+ m on the mean, (\S+) to (\S+) m; smallest angle (\S+)", text)
+    edges = re.search(r"edges \S+ m on average, (\S+) to (\S+) m; smallest angle (\S+)", text)
     shortest, longest, angle = edges.groups() if edges else ("nan", "nan", "?")
     distance = number(r"at most (\S+) m from", text, "")
     cells = [name, f"{1000 * remesh:g} mm" if remesh else "as it is", number(r"remeshed from ([0-9]+) faces", text, ""),

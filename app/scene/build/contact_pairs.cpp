@@ -41,10 +41,9 @@ void require_few_pairs(const Scene& scene, const std::vector<SheetInput>& inputs
         const EdgesOfSheet edges = edges_of(inputs[s]);
         if (edges.pairs <= most_pairs || edges.length >= thickness) continue;
         throw Error(fmt::format(
-            "{}: sheet.{} has edges of {:.2g} m on the mean where it is {:.2g} m thick, so that contact "
-            "would have "
-            "some {:.0f} million pairs to watch, more than it can; give the mesh `remesh = {:.1g}`, make the "
-            "sheet thinner, or set contact.sheets = false, with which sheets pass through each other",
+            "{}: sheet.{} has edges of {:.2g} m on average where it is {:.2g} m thick, so that contact would "
+            "have some {:.0f} million pairs to follow, more than it can; give the mesh `remesh = {:.1g}`, "
+            "make the sheet thinner, or set contact.sheets = false, so that sheets pass through each other",
             scene.sheets[s].where, scene.sheets[s].name, edges.length, thickness, edges.pairs / 1e6,
             thickness));
     }

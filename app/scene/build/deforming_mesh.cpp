@@ -67,8 +67,8 @@ Deformation deformation_of(const PointCache& cache, const ObstacleCache& spec, c
         const Positions scaled = scale * sample(Eigen::all, mesh.points).cast<double>();
         if (!(scaled.cwiseAbs().maxCoeff() <= farthest_point))
             throw Error(
-                fmt::format("{}: a point is {:.3g} m from the origin, {:g} m at most can be: give the "
-                            "mesh a scale (m per unit of the files)",
+                fmt::format("{}: a point is {:.3g} m from the origin, more than the largest distance, {:g} "
+                            "m: give the mesh a scale (m per unit of the files)",
                             spec.path.string(), scaled.cwiseAbs().maxCoeff(), farthest_point));
         deformation.samples.push_back(scaled.cast<float>());
     }
@@ -101,10 +101,9 @@ void warn_of_cache(const ObstacleSpec& spec, const Deformation& deformation, dou
                         "as in the last sample",
                         where, last, duration, spec.name));
     else if (duration - first < least_share * (last - first))
-        warnings.push_back(
-            fmt::format("{} goes on until {:g} s, of which the run sees {:.2g} s: a larger fps "
-                        "plays it faster",
-                        where, last, std::max(0.0, duration - first)));
+        warnings.push_back(fmt::format(
+            "{} lasts until {:g} s, of which the run covers {:.2g} s: a larger fps plays it faster", where,
+            last, std::max(0.0, duration - first)));
 }
 
 }  // namespace sherd

@@ -31,10 +31,11 @@ void add_gauges(const Scene& scene, const Shell& mechanics, SimulationOptions& o
         Gauge gauge = nearest_gauge(mechanics, spec.at, sheet_number(scene, spec.sheet));
         const double distance = (gauge.place - spec.at).norm();
         if (distance > longest_edge(mechanics, gauge.face))
-            throw Error(fmt::format(
-                "{}: is {:.3g} m from the nearest point of {}, as placed, {}; it may be an edge length off",
-                spec.where, distance, spec.sheet.empty() ? "any sheet" : "sheet." + spec.sheet,
-                place_words(gauge.place)));
+            throw Error(
+                fmt::format("{}: is {:.3g} m from the nearest point of {}, as placed, {}; at most an edge "
+                            "length is allowed",
+                            spec.where, distance, spec.sheet.empty() ? "any sheet" : "sheet." + spec.sheet,
+                            place_words(gauge.place)));
         gauge.displacement = spec.displacement;
         gauge.fields = spec.fields;
         options.gauges.push_back(gauge);

@@ -93,7 +93,7 @@ double mean_of(const std::vector<double>& of_file, const FileWeights& place) {
 std::vector<double> at_vertices(const MapProperty& map, const SheetSpec& sheet, const Mesh& mesh,
                                 std::vector<std::string>&) {
     const auto* file = std::get_if<MeshFile>(&sheet.mesh);
-    if (file == nullptr) throw Error("the mesh has no properties of a file: give a PLY file");
+    if (file == nullptr) throw Error("the mesh is not from a file, so it has no properties: give a PLY file");
     const std::vector<double> of_file = read_vertex_property(file->path, map.name);
     const auto [number, is_as_read] = find_property(mesh, attribute::file_vertex);
     const auto place = find_property(mesh, attribute::file_weights).first;

@@ -84,7 +84,7 @@ std::vector<Vector3d> axes_of(const AxisDirection& axis, const Mesh& mesh, const
     if (!projection.replaced.empty())
         warnings.push_back(
             fmt::format("the axis is perpendicular to {} faces (the first: {}): there the mesh's y axis, or "
-                        "z, is taken; give a direction along the surface, or a texture",
+                        "z, is used instead; give a direction along the surface, or a texture",
                         projection.replaced.size(), face_words(mesh, projection.replaced.front())));
     return axes;
 }
@@ -96,7 +96,7 @@ Vector3d axis_over_texture(const FaceTexture& corners, double angle, const Mesh&
     texture << corners[1] - corners[0], corners[2] - corners[0];
     const double area = texture.determinant();
     if (!(std::abs(area) > 1e-12 * texture.col(0).norm() * texture.col(1).norm()))
-        throw Error(fmt::format("the texture coordinates of {} have no area: unwrap the mesh anew",
+        throw Error(fmt::format("the texture coordinates of {} have no area: unwrap the mesh again",
                                 face_words(mesh, face)));
     const Vector3d along_u = shape.edges * Vector2d(texture(1, 1), -texture(1, 0)) / area;
     return turned(along_u.normalized(), shape.normal, area > 0 ? angle : -angle);

@@ -57,16 +57,16 @@ void warn_of_remesh(double edge_length, const Mesh& mesh, const Remeshed& result
     constexpr double far = 0.25;  // share of the edge length
     if (result.texture_lost)
         warnings.push_back(fmt::format(
-            "remesh = {}: the texture coordinates are lost, since most edges of the file are seams of them",
+            "remesh = {}: the texture coordinates are lost, since most edges of the file are texture seams",
             edge_length));
     if (result.kept > 0)
-        warnings.push_back(fmt::format(
-            "remesh = {}: {} of {} faces stay as they are in the file, where it is so thin or sharp "
-            "that others would cross or be tiny; smaller edges may do without",
-            edge_length, result.kept, mesh.number_of_faces()));
+        warnings.push_back(
+            fmt::format("remesh = {}: {} of {} faces stay as they are in the file, where the mesh is so thin "
+                        "or sharp that new faces would cross or be tiny; smaller edges may avoid this",
+                        edge_length, result.kept, mesh.number_of_faces()));
     if (result.crossings > 0)
         warnings.push_back(fmt::format(
-            "remesh = {}: {} more pairs of faces cross than in the file; smaller edges may do better",
+            "remesh = {}: {} more pairs of faces cross than in the file; smaller edges may avoid this",
             edge_length, result.crossings));
     if (result.distance > far * edge_length)
         warnings.push_back(
@@ -101,8 +101,8 @@ Mesh make(const GivenMeshName& spec, const Scene& scene, std::vector<std::string
     const auto given = scene.given_meshes.find(spec.name);
     if (given == scene.given_meshes.end())
         throw Error(
-            fmt::format("no program has given a mesh of the name '{}': give a file instead, or the arrays "
-                        "beside the scene",
+            fmt::format("no program has passed a mesh of the name '{}': give a file instead, or pass the "
+                        "arrays with the scene",
                         spec.name));
     return with_edges(triangle_mesh(given->second.positions, given->second.faces), spec.remesh, warnings,
                       remeshed);
@@ -120,8 +120,8 @@ void require_size(const Mesh& mesh) {
     const double size = size_of(mesh);
     if (size >= smallest && size <= largest) return;
     throw Error(
-        fmt::format("the mesh is {:.4g} m large, and can be from {:g} to {:g} m: lengths are in m; the "
-                    "mesh of a file has a size, or a scale (m per unit of the file)",
+        fmt::format("the mesh is {:.4g} m large, outside of the range from {:g} to {:g} m: lengths are in m; "
+                    "give the mesh of a file a size, or a scale (m per unit of the file)",
                     size, smallest, largest));
 }
 
@@ -133,8 +133,8 @@ void require_near(const Mesh& mesh, const SheetSpec& sheet) {
         std::max(measures.upper.cwiseAbs().maxCoeff(), measures.lower.cwiseAbs().maxCoeff());
     if (farthest * std::numeric_limits<double>::epsilon() <= most_round_off * measures.mean_edge) return;
     throw Error(
-        fmt::format("{}: place: the sheet is {:.3g} m from the origin, where the digits of numbers do "
-                    "not tell its edges of {:.3g} m; place it nearer",
+        fmt::format("{}: place: the sheet is {:.3g} m from the origin, where the digits of numbers do not "
+                    "resolve its edges of {:.3g} m; place it nearer",
                     sheet.where, farthest, measures.mean_edge));
 }
 

@@ -58,9 +58,8 @@ InsideObstacle inside(const SheetInput& input, const Obstacle& obstacle) {
 std::string message(const SheetSpec& sheet, const SheetInput& input, const ObstacleSpec& obstacle,
                     const InsideObstacle& found) {
     return fmt::format(
-        "{}: {} of {} vertices of sheet.{} start inside, vertex {} at {} the deepest, {:.3g} m beyond "
-        "touching: "
-        "move the sheet or the obstacle by that much, or make it smaller",
+        "{}: {} of {} vertices of sheet.{} start inside; the deepest, vertex {} at {}, is {:.3g} m beyond "
+        "touching: move the sheet or the obstacle by that much, or make it smaller",
         obstacle.where, found.count, input.mesh.number_of_vertices(), sheet.name, found.deepest.idx(),
         place_words(input.starts_at(found.deepest)), found.depth);
 }
@@ -143,15 +142,13 @@ std::string message(const SheetSpec& sheet, const SheetInput& input, const Obsta
                     const SurfaceMeeting& found) {
     if (!found.crossing.empty())
         return fmt::format(
-            "{}: {} of {} faces of sheet.{} start across its surface, {} the first: move the sheet or the "
-            "obstacle, "
-            "or pin the vertices that it holds",
+            "{}: {} of {} faces of sheet.{} start across its surface; the first is {}: move the sheet or the "
+            "obstacle, or pin the vertices that it holds",
             obstacle.where, found.crossing.size(), input.mesh.number_of_faces(), sheet.name,
             fault_place(found.crossing.front()));
     return fmt::format(
-        "{}: sheet.{} starts {:.3g} m from its surface, at {}, where {:.3g} m, half its thickness, is "
-        "touching: "
-        "move the sheet or the obstacle by {:.3g} m, or make it smaller",
+        "{}: sheet.{} starts {:.3g} m from its surface, at {}, where half its thickness is {:.3g} m: move "
+        "the sheet or the obstacle by {:.3g} m, or make it smaller",
         obstacle.where, sheet.name, found.distance, place_words(found.at), found.touching,
         found.touching - found.distance);
 }
@@ -164,8 +161,8 @@ void require_free_start(const Scene& scene, const std::vector<SheetInput>& input
     std::vector<std::string> mistakes;
     std::vector<std::string>& refused = scene.exempts_overlaps ? warnings : mistakes;
     const std::string then = scene.exempts_overlaps
-                                 ? "; until it is out it is pushed only where it gets deeper, and "
-                                   "faces there do not meet the surface (contact.start)"
+                                 ? "; until it has separated, contact acts only where it gets deeper, and "
+                                   "its faces there do not collide with the surface (contact.start)"
                                  : "";
     const auto meetings = surface_meetings(all, inputs.size(), obstacles);
     for (std::size_t s = 0; s < inputs.size(); ++s)

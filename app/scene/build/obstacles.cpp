@@ -101,7 +101,7 @@ MeshFrame frame_of(const Mesh& mesh) {
         throw Error(
             fmt::format("a free body needs a solid, and this mesh encloses {:.3g} m^3: {}", solid.volume,
                         solid.volume < 0 ? "its faces are turned inside out (repair = true turns them)"
-                                         : "it is flat, or its parts are turned against each other"));
+                                         : "it is flat, or its parts have opposite orientations"));
     const Eigen::SelfAdjointEigenSolver<Matrix3d> principal(solid.inertia());
     MeshFrame frame;
     frame.volume = solid.volume;

@@ -59,11 +59,10 @@ void warn_of_own_weight(const Scene& scene, const std::vector<SheetInput>& input
         const Material& material = inputs[s].material;
         const Vector3d weight = material.density * material.thickness * scene.simulation.stepper.gravity;
         warnings.push_back(fmt::format(
-            "{}: the weight of sheet.{} alone takes {:.2g} of its strength, by statics, and acts at once: "
-            "the "
-            "sheet swings to up to twice that and may break before anything meets it; let the weight grow "
-            "instead: force.gravity = [0, 0, 0], and [[force.load]] with sheet = \"{}\", area = [{:.3g}, "
-            "{:.3g}, {:.3g}], ramp = {:.2g} (what falls in the scene then needs a velocity)",
+            "{}: the weight of sheet.{} alone takes {:.2g} of its strength in statics, and acts at once: the "
+            "sheet swings to up to twice that stress and may break before anything hits it; let the weight "
+            "grow instead: force.gravity = [0, 0, 0], and [[force.load]] with sheet = \"{}\", area = "
+            "[{:.3g}, {:.3g}, {:.3g}], ramp = {:.2g} (what falls in the scene then needs a velocity)",
             sheet.where, sheet.name, share, sheet.name, weight.x(), weight.y(), weight.z(),
             slow * slowest_period(inputs[s])));
     }

@@ -221,9 +221,9 @@ void warn_of_long_ways(const Scene& scene, const std::vector<SheetInput>& inputs
         const double speed = approach(s, scene, inputs, options), edge = measure(inputs[s].mesh).mean_edge;
         if (speed * step <= edge) continue;
         warnings.push_back(fmt::format(
-            "{}: sheet.{} comes {:.3g} m nearer to what it meets in one solver.step of {:g} s, more than an "
-            "edge "
-            "({:.3g} m): the blow is over before it is felt elsewhere; use a step of {:g} s or less",
+            "{}: sheet.{} comes {:.3g} m nearer to what it hits in one solver.step of {:g} s, more than an "
+            "edge ({:.3g} m): the impact is over before the rest of the sheet responds; use a step of {:g} s "
+            "or less",
             scene.sheets[s].where, scene.sheets[s].name, speed * step, step, edge, round_step(edge / speed)));
     }
 }
@@ -247,8 +247,8 @@ void warn_of_distance(const SheetInput& input, const SheetSpec& sheet, std::vect
     const double edge = measure(input.mesh).mean_edge;
     if (spacing <= coarsest_spacing * edge) return;
     warnings.push_back(
-        fmt::format("{}: sheet.{} is {:.3g} m from the origin, where positions have steps of {:.1g} m, "
-                    "strains of {:.1g} in its edges of {:.3g} m: place the scene near the origin",
+        fmt::format("{}: sheet.{} is {:.3g} m from the origin, where positions are rounded to {:.1g} m, a "
+                    "strain of {:.1g} in its edges of {:.3g} m: place the scene near the origin",
                     sheet.where, sheet.name, farthest, spacing, spacing / edge, edge));
 }
 

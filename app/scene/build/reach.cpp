@@ -224,11 +224,10 @@ void warn_of_unreachable(const Scene& scene, const std::vector<SheetInput>& inpu
         if (found[i] <= 0) continue;
         const bool fixed = i < scene.obstacles.size();
         const ObstacleSpec& spec = fixed ? scene.obstacles[i] : scene.bodies[i - scene.obstacles.size()];
-        warnings.push_back(
-            fmt::format("{}: nothing can reach obstacle.{} in {:g} s: by gravity and the velocities at the "
-                        "start, what flies "
-                        "stays {:.3g} m away or more; start nearer or faster, or take a longer duration",
-                        spec.where, spec.name, scene.duration, found[i]));
+        warnings.push_back(fmt::format(
+            "{}: nothing can reach obstacle.{} in {:g} s: under gravity and with their initial velocities, "
+            "sheets and bodies stay {:.3g} m away or more; start nearer or faster, or use a longer duration",
+            spec.where, spec.name, scene.duration, found[i]));
     }
 }
 

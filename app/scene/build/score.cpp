@@ -41,7 +41,7 @@ std::vector<Edge> cracked_edges(const Scene& scene, const std::vector<SheetInput
         for (const Score& crack : sheet.fracture ? sheet.fracture->cracks : std::vector<Score>())
             for (const Edge edge : scored_edges(crack, mesh, sheet.place)) {
                 if (mesh.is_border(edge))
-                    throw Error(crack.where + ": runs along the rim, where nothing can open");
+                    throw Error(crack.where + ": runs along the boundary, where no crack can open");
                 all.push_back(Edge(static_cast<Index>(first + edge)));
             }
         first += mesh.number_of_edges();

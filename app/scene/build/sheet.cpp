@@ -21,12 +21,12 @@ void warn_of_stretching(const SheetInput& input, const SheetSpec& sheet, std::ve
     const Material material = thickest_material(input);
     const double edge = measure(input.mesh).mean_edge, ratio = stretch_over_bend(material, edge);
     if (ratio >= least_stretch_over_bend) return;
-    warnings.push_back(fmt::format(
-        "{}: stretching stiffness Y t is {:.3g} times the hinges' bending stiffness lambda / L^2 (edges of "
-        "L = {:.3g} m, thickness t = {:.3g} m); thin-shell bending wants {:.0f}: where the sheet bends, make "
-        "the edges {:.2g} m or longer",
-        sheet.where, ratio, edge, material.thickness, least_stretch_over_bend,
-        edge * std::sqrt(least_stretch_over_bend / ratio)));
+    warnings.push_back(
+        fmt::format("{}: stretching stiffness Y t is {:.3g} times the hinges' bending stiffness lambda / L^2 "
+                    "(edges of L = {:.3g} m, thickness t = {:.3g} m); thin-shell bending needs {:.0f}: where "
+                    "the sheet bends, make the edges {:.2g} m or longer",
+                    sheet.where, ratio, edge, material.thickness, least_stretch_over_bend,
+                    edge * std::sqrt(least_stretch_over_bend / ratio)));
 }
 
 /// Whether the sheet's material, strength or toughness depend on the material axis.

@@ -43,9 +43,9 @@ std::string sentences(const Scene& scene, const BreakableShell& all,
 
 Error not_apart(const Scene& scene, const BreakableShell& all, const std::vector<StartOverlap>& overlaps) {
     return Error(fmt::format(
-        "{}: sheets do not start apart, with half their thickness on either side:{}\nmove the sheets, make "
-        "them thinner, or set contact.start = \"exempt\", with which these do not collide until they are "
-        "apart",
+        "{}: sheets overlap at the start, with half their thickness on either side of the mesh:{}\n"
+        "move the sheets, make them thinner, or set contact.start = \"exempt\", so that these faces do not "
+        "collide until they have separated",
         scene.file.string(), sentences(scene, all, overlaps)));
 }
 
@@ -53,8 +53,9 @@ std::string exemption(const Scene& scene, const BreakableShell& all,
                       const std::vector<StartOverlap>& overlaps) {
     const auto crossing = std::ranges::count_if(overlaps, &StartOverlap::crossing);
     return fmt::format(
-        "{}: {} pairs of faces cross or touch at the start and {} are too near; they do not collide, or from "
-        "where they are on, until they are apart (contact.start = \"error\" makes this an error):{}",
+        "{}: {} pairs of faces cross or touch at the start and {} are too near; until they have separated, "
+        "the former do not collide, and the latter only if they come nearer (contact.start = \"error\" makes "
+        "this an error):{}",
         scene.file.string(), crossing, overlaps.size() - static_cast<std::size_t>(crossing),
         sentences(scene, all, overlaps));
 }

@@ -206,8 +206,8 @@ std::string message(const Scene& scene, const ObstacleSpec& one, const ObstacleS
     };
     return fmt::format(
         "{}: by their keys the gap between obstacle.{} and obstacle.{} falls below {:.3g} m at {}, and to "
-        "{:.3g} m at {}; {} is {:.3g} m thick there, and contact would push without bound: keep the two "
-        "{:.3g} m or more apart, or let one of them move freely (density, without keys)",
+        "{:.3g} m at {}; {} is {:.3g} m thick there, and contact forces would grow without bound: keep the "
+        "two {:.3g} m or more apart, or let one of them move freely (density, without keys)",
         one.where, one.name, other.name, thickness, when(point.first), point.gap, when(point.time), sheet,
         thickness, thickness);
 }

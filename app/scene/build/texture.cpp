@@ -15,7 +15,7 @@ Mesh::Property_map<Face, FaceTexture> texture_coordinates(const Mesh& mesh) {
         for (const Eigen::Vector2d& corner : texture[face])
             if (!corner.allFinite())
                 throw Error(
-                    fmt::format("the texture coordinates of {} are NaN or infinite: unwrap the mesh anew",
+                    fmt::format("the texture coordinates of {} are NaN or infinite: unwrap the mesh again",
                                 face_words(mesh, face)));
     return texture;
 }

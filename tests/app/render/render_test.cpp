@@ -151,14 +151,14 @@ TEST_F(Render, RefusesWhatItCannotDrawBeforeItWritesAnything) {
     refused(&RenderOptions::colour, std::string("red"), "--color red");
     refused(&RenderOptions::ground, std::string("grass"), "--ground grass");
     refused(&RenderOptions::range, std::string("2:1"), "--range 2:1");
-    refused(&RenderOptions::range, std::string("1:2"), "--range 1:2: goes with --color strain");
+    refused(&RenderOptions::range, std::string("1:2"), "--range 1:2: needs --color strain");
     refused(&RenderOptions::samples, 0, "--samples 0");
     refused(&RenderOptions::threads, -1, "--threads -1");
     refused(&RenderOptions::frames, std::string("all"), "name a folder");
     refused(&RenderOptions::output, folder.path / "no" / "such" / "folder", "such/folder");
     refused(&RenderOptions::film, folder.path / "film.mp4", "97 pictures are wanted");
-    refused(&RenderOptions::slow, SlowMotion{2, {}}, "--slow has a meaning with --film only");
-    refused(&RenderOptions::slow, SlowMotion{{}, 30}, "--rate has a meaning with --film only");
+    refused(&RenderOptions::slow, SlowMotion{2, {}}, "--slow needs --film");
+    refused(&RenderOptions::slow, SlowMotion{{}, 30}, "--rate needs --film");
     refused(&RenderOptions::slow, SlowMotion{-2, {}}, "--slow -2");
     refused(&RenderOptions::recording, folder.path / "missing.h5", "missing.h5");
     RenderOptions film = options("");

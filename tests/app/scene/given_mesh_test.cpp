@@ -38,10 +38,9 @@ TEST(GivenMesh, IsRemeshedWhereAskedFor) {
 TEST(GivenMesh, ThatNobodyGaveIsAnErrorOfItsLine) {
     const Scene scene = parse_scene(sheet + "mesh = { given = \"bowl\" }\n", "a.toml", {}, kite());
     std::vector<std::string> warnings;
-    EXPECT_EQ(
-        thrown_by([&] { build_scene(scene, warnings); }),
-        "a.toml:5: sheet.kite.mesh: no program has given a mesh of the name 'bowl': give a file instead, or "
-        "the arrays beside the scene");
+    EXPECT_EQ(thrown_by([&] { build_scene(scene, warnings); }),
+              "a.toml:5: sheet.kite.mesh: no program has passed a mesh of the name 'bowl': give a file "
+              "instead, or pass the arrays with the scene");
 }
 
 }  // namespace

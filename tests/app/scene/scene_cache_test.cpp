@@ -118,7 +118,7 @@ TEST_F(SceneCache, WarnsOfWhatTheRunDoesNotSee) {
         return all;
     };
     EXPECT_NE(warned("fps = 1000").find("ends at 0.002 s, the run at 0.05 s"), std::string::npos);
-    EXPECT_NE(warned("fps = 1").find("of which the run sees 0.05 s"), std::string::npos);
+    EXPECT_NE(warned("fps = 1").find("of which the run covers 0.05 s"), std::string::npos);
     const std::string usual = warned("fps = 24");
     EXPECT_EQ(usual.find("hand.pc2"), std::string::npos) << usual;
 }

@@ -248,15 +248,16 @@ TEST(SceneObstacle, ASheetThatStartsInsideIsNamed) {
         const ProgramResult deep = outcome(command, 0.9995);
         EXPECT_EQ(deep.exit_code, 2) << deep.err;
         EXPECT_NE(deep.err.find("scene.toml:7: obstacle.thing.plane: "), std::string::npos) << deep.err;
-        EXPECT_NE(deep.err.find(" vertices of sheet.plate start inside, vertex "), std::string::npos)
+        EXPECT_NE(deep.err.find(" vertices of sheet.plate start inside; the deepest, vertex "),
+                  std::string::npos)
             << deep.err;
-        EXPECT_NE(deep.err.find("the deepest, 0.0015 m beyond touching"), std::string::npos)
+        EXPECT_NE(deep.err.find("is 0.0015 m beyond touching"), std::string::npos)
             << "4 mm thick: touching at 2 mm; " << deep.err;
     }
     EXPECT_FALSE(std::filesystem::exists(directory.path / "scene.h5"));
     const ProgramResult shallow = outcome("check", 0.9981);
     EXPECT_EQ(shallow.exit_code, 0) << shallow.err;
-    EXPECT_NE(shallow.out.find("the deepest, 0.0001 m beyond touching"), std::string::npos) << shallow.out;
+    EXPECT_NE(shallow.out.find("is 0.0001 m beyond touching"), std::string::npos) << shallow.out;
     EXPECT_EQ(outcome("check", 0.998).out.find("start inside"), std::string::npos) << "it lies on the plane";
 }
 
@@ -266,8 +267,8 @@ TEST(SceneObstacle, ASheetThatStartsInsideStaysThere) {
     directory.write("scene.toml", plate_and_thing + "plane = { point = [0, 0, 0.9995] }\n");
     const ProgramResult run = run_sherd({"run", "scene.toml", "-o", "run.h5"}, directory.path);
     EXPECT_EQ(run.exit_code, 0) << run.err;
-    EXPECT_NE(run.err.find("the deepest, 0.0015 m beyond touching"), std::string::npos) << run.err;
-    EXPECT_NE(run.err.find("it is pushed only where it gets deeper"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("is 0.0015 m beyond touching"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("contact acts only where it gets deeper"), std::string::npos) << run.err;
 }
 
 // The corner of a box between the vertices of a face: no vertex is inside, but contact would be wrong.
@@ -318,9 +319,9 @@ TEST(SceneObstacle, OfSeveralSheetsTheOneThatIsInTheWayIsNamed) {
     };
     // Through the triangle beyond the diagonal, whose centre is at a third and two thirds of the square.
     const std::string across = message_of("{ size = [1e-3, 1e-3, 0.1], centre = [1.03, 0.07, 0.97] }");
-    EXPECT_NE(
-        across.find("1 of 2 faces of sheet.at1 start across its surface, face 1 at (1.033, 0.06667, 1) m"),
-        std::string::npos)
+    EXPECT_NE(across.find("1 of 2 faces of sheet.at1 start across its surface; the first is face 1 at "
+                          "(1.033, 0.06667, 1) m"),
+              std::string::npos)
         << across;
     EXPECT_EQ(across.find("at0"), std::string::npos) << across;
     EXPECT_EQ(across.find("at2"), std::string::npos) << across;

@@ -176,7 +176,7 @@ TEST_F(StrengthMaps, ChangeTheLawThatTheySay) {
         EXPECT_NEAR(input.toughness.factors[e], scored ? 0.05 : 0.5, 1e-6);
     }
     const auto told = run_sherd({"check", "scene.toml"}, directory.path);
-    EXPECT_NE(told.out.find("cracks go on above 1e+06 Pa m^0.5, at"), std::string::npos)
+    EXPECT_NE(told.out.find("cracks propagate above 1e+06 Pa m^0.5, at"), std::string::npos)
         << told.out << told.err;
     EXPECT_NE(told.out.find("times 0.05 to 0.5, edge by edge"), std::string::npos) << told.out;
 }

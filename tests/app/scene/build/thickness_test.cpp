@@ -216,7 +216,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadThickness{"no_ply", "{ property = \"thin\" }",
                      "square.obj: only a PLY file has properties of its vertices"},
         BadThickness{"generated", "{ property = \"thin\" }",
-                     "the mesh has no properties of a file: give a PLY file", generated_disc}),
+                     "the mesh is not from a file, so it has no properties: give a PLY file",
+                     generated_disc}),
     [](const auto& input) { return input.param.name; });
 
 TEST_F(ThicknessMaps, OfAMaterialFileIsANumber) {
@@ -234,7 +235,7 @@ TEST_F(ThicknessMaps, CheckTellsTheRangeAndTheMass) {
     directory.write("scene.toml",
                     text("{ property = \"thick\" }", "\"square.ply\"") + "fracture = { strain = 10 }\n");
     const ProgramResult result = run_sherd({"check", "scene.toml", "--no-try"}, directory.path);
-    for (const char* line : {"area 1 m^2, mass 7.5 kg\n", "thickness 0.002 to 0.004 m, 0.003 m on the mean\n",
+    for (const char* line : {"area 1 m^2, mass 7.5 kg\n", "thickness 0.002 to 0.004 m, 0.003 m on average\n",
                              "breaks above 10 1/m, 0.01 to 0.02 of strain at its surface\n"})
         EXPECT_NE(result.out.find(line), std::string::npos) << result.out << result.err;
 }
