@@ -112,7 +112,7 @@ void visit_arrays(S& snapshot, const Visit& visit) {
           snapshot.faces);
     visit(A{.name = "face/fragment",
             .entries = Elements::faces,
-            .meaning = "number of the piece, which lasts: see /events/fragment",
+            .meaning = "number of the fragment, which it keeps while others split: see /events/fragment",
             .names = Names::fragments,
             .shown = true},
           snapshot.face_fragment);
@@ -141,7 +141,8 @@ void visit_arrays(S& snapshot, const Visit& visit) {
           snapshot.edge_strain);
     visit(A{.name = "edge/held",
             .entries = Elements::edges,
-            .meaning = "share of what held the edge together that still does; 0: nothing, or unbroken",
+            .meaning =
+                "cohesive share: part of the force across an opening edge that remains; 0: none, or unbroken",
             .presence = Presence::if_any},
           snapshot.edge_held);
 }
@@ -166,7 +167,7 @@ void visit_rest_arrays(R& rest, const Visit& visit) {
           rest.thickness);
     visit(A{.name = "rest/vertex_parents",
             .entries = Elements::rest_vertices,
-            .meaning = "vertices of the unbroken mesh (/rest) between which it lies",
+            .meaning = "vertices of the unbroken mesh (/rest) between which the vertex lies",
             .names = Names::unbroken_vertices},
           rest.vertex_parents);
     visit(A{.name = "rest/vertex_weights",
@@ -175,12 +176,12 @@ void visit_rest_arrays(R& rest, const Visit& visit) {
           rest.vertex_weights);
     visit(A{.name = "rest/face_parent",
             .entries = Elements::faces,
-            .meaning = "face of the unbroken mesh (/rest) that it is a part of",
+            .meaning = "face of the unbroken mesh (/rest) of which the face is a part",
             .names = Names::unbroken_faces},
           rest.face_parent);
     visit(A{.name = "rest/face_mixed",
             .entries = Elements::faces,
-            .meaning = "1: has parts of other faces of /rest, too",
+            .meaning = "1: a mixed face, which covers parts of several faces of /rest",
             .presence = Presence::if_any},
           rest.face_mixed);
 }

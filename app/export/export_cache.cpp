@@ -89,7 +89,7 @@ std::vector<ExportJob> plan_cache(ExportSource& source, const char* extension,
     const Pace pace = source.pace();
     const std::vector<Moment> moments = even_moments(source.frames(), source.times(), pace.step());
     if (source.frames().size() > 1)
-        source.pace_words = fmt::format("{}, {} at {:g} a second", pace.words(),
+        source.pace_words = fmt::format("{}, {} at {:g} per second", pace.words(),
                                         counted(moments.size(), "sample"), pace.rate);
     std::vector<double> times;
     for (const Moment& moment : moments)

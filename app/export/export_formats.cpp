@@ -36,7 +36,8 @@ std::string names_where(bool ExportFormat::*property) {
 
 void check_option(const ExportFormat& format, bool given, const char* option, bool ExportFormat::*known) {
     if (given && !(format.*known))
-        throw Error(fmt::format("--to {} does not know {}; {} do", format.name, option, names_where(known)));
+        throw Error(
+            fmt::format("--to {} does not support {}; {} do", format.name, option, names_where(known)));
 }
 
 void check_choice(const char* option, const std::string& given, const std::vector<std::string>& known) {
@@ -61,7 +62,7 @@ void check_values(const ExportOptions& options) {
 /// Throws Error (input) on an option without effect, which is a mistake.
 void check_use(const ExportOptions& options, const ExportOptions& standard) {
     const auto require = [](bool holds, const char* option, const char* use) {
-        if (!holds) throw Error(fmt::format("{} has a meaning {} only", option, use));
+        if (!holds) throw Error(fmt::format("{} is used {} only", option, use));
     };
     const std::string& format = options.format;
     require(options.quality == standard.quality || format == "ply", "--quality", "with --to ply");

@@ -20,8 +20,8 @@ struct FrameWords {
 
     [[noreturn]] void fail(const std::string& why) const {
         throw Error(
-            fmt::format("--frames {}: {}; give last, all, a number, START:STOP:STEP, or several of these "
-                        "with commas",
+            fmt::format("--frames {}: {}; give last, all, a number, START:STOP:STEP, or several of these, "
+                        "separated by commas",
                         text, why));
     }
 

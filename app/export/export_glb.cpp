@@ -177,8 +177,8 @@ void Animation::warn_of_deviation(double deviation) {
     const double size = (all.rowwise().maxCoeff() - all.rowwise().minCoeff()).norm();
     if (deviation > 0.01 * size)
         source.warnings.push_back(
-            fmt::format("the fragments bend: rigid motion is up to {:.2g} m off the recording; --animate "
-                        "morph shows how",
+            fmt::format("the fragments deform: their rigid motions differ from the recording by up to {:.2g} "
+                        "m; --animate morph shows the deformation",
                         deviation));
 }
 

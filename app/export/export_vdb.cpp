@@ -30,10 +30,10 @@ double voxel_size(ExportSource& source) {
                         voxel, thinnest));
     const double voxels = expected_voxels(frame_sheet(first), thickness, voxel);
     if (voxels > most_voxels)
-        throw Error(fmt::format(
-            "voxels of {:g} m: a frame would fill {:.2g} of them, the most is {:.2g}; give a larger "
-            "--voxel (up to half the thickness, {:g} m)",
-            voxel, voxels, most_voxels, thinnest / 2));
+        throw Error(
+            fmt::format("voxels of {:g} m: a frame would fill {:.2g} of them, more than {:.2g}; give a "
+                        "larger --voxel (up to half the thickness, {:g} m)",
+                        voxel, voxels, most_voxels, thinnest / 2));
     return voxel;
 }
 

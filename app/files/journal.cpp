@@ -139,7 +139,7 @@ std::string mend_locked(const fs::path& file) {
     if (is_complete(bytes)) {
         const std::optional<Journal> journal = decoded(bytes, opened);
         if (!journal)
-            return fmt::format("'{}' is not of '{}' as it is, and is not used; remove it",
+            return fmt::format("'{}' does not fit '{}' in its present state, and is not used; remove it",
                                journal_of(file).string(), file.string());
         done = words_of(*journal, opened);
         apply(*journal, opened);

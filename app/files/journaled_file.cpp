@@ -110,7 +110,7 @@ void JournaledFile::roll_back() {
 
 void JournaledFile::require_undisturbed() const {
     const std::string name = "'" + disk.path().string() + "'";
-    if (failed) throw Error(name + " cannot be changed any more after an error of the disk", Fault::run);
+    if (failed) throw Error(name + " cannot be changed any more after a disk error", Fault::run);
     if (!disk.is_in_place() || disk.size() != stored)
         throw Error(name + " has been removed, replaced or changed by another program", Fault::run);
     if (!disk.lock_shared(patience))

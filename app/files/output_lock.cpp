@@ -74,10 +74,8 @@ LockFile open_lock_file(const fs::path& file, const fs::path& output) {
         if (found < 0 && errno == EACCES) found = Descriptor(open(file.c_str(), O_RDONLY | flags));
         if (found >= 0 || errno == ENOENT) return {std::move(found), false};
         reason = errno;
-        throw Error(
-            fmt::format("cannot open '{}', which says who writes '{}': {}; remove it, or name "
-                        "another output",
-                        file.string(), output.string(), std::strerror(reason)));
+        throw Error(fmt::format("cannot open '{}', the lock of '{}': {}; remove it, or name another output",
+                                file.string(), output.string(), std::strerror(reason)));
     }
     const bool full = reason == ENOSPC || reason == EDQUOT;
     throw Error(fmt::format("cannot create '{}': {}; name a file in a folder that exists and can be written",
@@ -126,8 +124,9 @@ void remove_stale(const fs::path& file, const std::string& text) {
     std::error_code reason;
     if (text.starts_with(marker)) fs::remove(file, reason);
     if (!text.starts_with(marker) || reason)
-        throw Error(fmt::format("'{}' is in the way{}; remove it, or name another output", file.string(),
-                                reason ? " (" + reason.message() + ")" : ", and not a lock of this program"));
+        throw Error(
+            fmt::format("'{}' is in the way{}; remove it, or name another output", file.string(),
+                        reason ? " (" + reason.message() + ")" : ", and is not a lock of this program"));
 }
 
 }  // namespace

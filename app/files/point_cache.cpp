@@ -56,8 +56,7 @@ class CacheFile {
         require(expected, "samples");
         if (static_cast<double>(bytes) > expected)
             throw Error(
-                fmt::format("{}: is no {} file, or a damaged one: it has {} bytes, its head tells of "
-                            "{:.0f}",
+                fmt::format("{}: is no {} file, or a damaged one: it has {} bytes, but by its header {:.0f}",
                             path.string(), kind, bytes, expected));
     }
 
@@ -76,16 +75,14 @@ struct Expected {
 void require_counts(const fs::path& path, const Head& head, const Expected& expected) {
     if (head.points < 0 || head.samples < 0)
         throw Error(
-            fmt::format("{}: is damaged, or another kind of file: its head tells of {} points and {} "
-                        "samples",
+            fmt::format("{}: is damaged, or another kind of file: its header has {} points and {} samples",
                         path.string(), head.points, head.samples));
     if (head.samples == 0) throw Error(path.string() + ": holds no samples: export it once more");
     if (static_cast<std::size_t>(head.points) != expected.points)
-        throw Error(
-            fmt::format("{}: holds {} points, but {} has {} vertices: export both from one mesh, "
-                        "without what adds vertices to one of them, the mesh as .obj (.ply may split "
-                        "vertices)",
-                        path.string(), head.points, expected.mesh.string(), expected.points));
+        throw Error(fmt::format(
+            "{}: holds {} points, but {} has {} vertices: export both from one mesh, without modifiers that "
+            "add vertices to one of them, the mesh as .obj (.ply may split vertices)",
+            path.string(), head.points, expected.mesh.string(), expected.points));
 }
 
 double size_of_samples(const Head& head) {
@@ -129,8 +126,8 @@ Head read_mdd_head(CacheFile& file, const fs::path& path, const Expected& expect
     for (std::int32_t i = 0; i < head.samples; ++i) {
         if (!frame_rate && !(std::isfinite(time(i)) && (i == 0 || time(i) > time(i - 1))))
             throw Error(
-                fmt::format("{}: the time of sample {}, {} s, must be a number and later than that of "
-                            "the one before; `fps` takes the place of such times",
+                fmt::format("{}: the time of sample {}, {} s, must be a number and later than that of the "
+                            "previous sample; `fps` replaces such times",
                             path.string(), i, time(i)));
         head.times.push_back(frame_rate ? i / *frame_rate : time(i) - time(0));
     }

@@ -26,9 +26,9 @@ void add_fragment_rows(std::string& text, const Measures& measures) {
     if (measures.fragments.size() > most)
         fmt::format_to(out, "  and {}\n", counted(measures.fragments.size() - most, "lighter one"));
     if (const auto& law = measures.mass_law)
-        fmt::format_to(out,
-                       "mass law     N(> m) ~ m^-{:.3f}, {:.3f} to {:.3f} in 95 of 100, of {} fragments\n",
-                       law->exponent, law->interval[0], law->interval[1], law->count);
+        fmt::format_to(
+            out, "mass law     N(> m) ~ m^-{:.3f}, {:.3f} to {:.3f} with 95 % confidence, of {} fragments\n",
+            law->exponent, law->interval[0], law->interval[1], law->count);
 }
 
 void add_crack_rows(std::string& text, const Measures& measures) {
@@ -40,15 +40,14 @@ void add_crack_rows(std::string& text, const Measures& measures) {
     if (measures.tortuosity) fmt::format_to(out, "\ntortuosity   {:.4g}", *measures.tortuosity);
     if (const CrackDirections& directions = measures.directions; directions.length > 0) {
         fmt::format_to(
-            out, "\ndirection    {:.1f} degrees to {} in the mean, resultant {:.3f}; by 15 degrees:",
+            out, "\ndirection    {:.1f} degrees to {} on average, resultant {:.3f}; by 15 degrees:",
             directions.mean, measures.has_axis ? "the material's axis" : "x", directions.resultant);
         for (const double share : directions.histogram) fmt::format_to(out, " {:.0f}", 100 * share);
         text += " %";
     }
     fmt::format_to(out, "\nbranchings   {}", measures.junctions.size());
     if (const std::optional<double> angle = branching_angle(measures.junctions))
-        fmt::format_to(out, "; the smallest angle of those that are clear is {:.1f} degrees in the mean",
-                       *angle);
+        fmt::format_to(out, "; the smallest angle of the clear ones is {:.1f} degrees on average", *angle);
     text += "\n";
     if (!measures.about) return;
     const CracksAbout& about = *measures.about;
@@ -75,7 +74,7 @@ std::string measures_text(const Measures& measures, const std::string& time_unit
                        first->position.z());
     if (measures.tip_speeds && !measures.tip_speeds->steps.empty()) {
         const TipStep fastest = measures.tip_speeds->fastest();
-        fmt::format_to(out, "tips         {:.5g} m/s in the mean, {:.5g} m/s at most at {}\n",
+        fmt::format_to(out, "tips         {:.5g} m/s on average, {:.5g} m/s at most at {}\n",
                        measures.tip_speeds->mean(), fastest.fastest, when(fastest.time));
     }
     for (const auto& [name, last, largest, time] : measures.energies)

@@ -130,8 +130,8 @@ Index Parts::whole_of(std::size_t face) {
     }
     if (whole < 0)
         throw Error(fmt::format(
-            "face {} at {:g} s is a part of face {} of the unbroken mesh, which has none at {:g} s", face,
-            later.time, parent, earlier.time));
+            "face {} at {:g} s is a part of face {} of the unbroken mesh, of which no part exists at {:g} s",
+            face, later.time, parent, earlier.time));
     return whole;
 }
 
@@ -180,7 +180,8 @@ Ancestry ancestry(const Snapshot& earlier, const Snapshot& later) {
     if (earlier.faces.size() > later.faces.size() ||
         earlier.rest.unbroken_faces.size() != later.rest.unbroken_faces.size())
         throw Error(
-            fmt::format("the frames at {:g} s and {:g} s have {} and {} faces: there is nothing between",
+            fmt::format("the frames at {:g} s and {:g} s have {} and {} faces: states between them cannot be "
+                        "interpolated",
                         earlier.time, later.time, earlier.faces.size(), later.faces.size()));
     Ancestry ancestry;
     const auto set = [&](Index vertex, Index one) {

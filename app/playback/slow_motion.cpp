@@ -15,8 +15,8 @@ void check_slow_motion(const SlowMotion& motion) {
         throw Error(fmt::format("--slow {}: give how many times slower than reality, above 0; 1 is real time",
                                 *motion.factor));
     if (motion.rate && !(*motion.rate >= least_rate && *motion.rate <= most_rate))
-        throw Error(
-            fmt::format("--rate {}: give pictures a second, {} to {}", *motion.rate, least_rate, most_rate));
+        throw Error(fmt::format("--rate {}: give pictures per second, {} to {}", *motion.rate, least_rate,
+                                most_rate));
 }
 
 double default_slowdown(double seconds) {

@@ -24,14 +24,13 @@ void ProgressObserver::warn_of_substeps(const StepReport& report) {
     warned = true;
     const FacePlace& face = report.fastest;
     reporter.warn(fmt::format(
-        "step {}, at {:.6g} s, took {} substeps, and others may: {}", report.step, report.time,
+        "step {}, at {:.6g} s, took {} substeps, and later steps may, too: {}", report.step, report.time,
         report.newton_iterations,
         face.sheet < 0
-            ? std::string("contact asks for them, where something light and stiff meets something fast")
-            : fmt::format(
-                  "the face of sheet.{} at {} at rest asks for the shortest; if it is far smaller than "
-                  "others, remesh",
-                  scene.sheets[face.sheet].name, place_words(face.rest))));
+            ? std::string("contact requires them, where something light and stiff meets something fast")
+            : fmt::format("the face of sheet.{} at {} at rest requires the shortest; if it is far smaller "
+                          "than others, remesh",
+                          scene.sheets[face.sheet].name, place_words(face.rest))));
 }
 
 void ProgressObserver::ended(const RunEnd& end) {

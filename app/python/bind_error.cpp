@@ -8,8 +8,8 @@ namespace {
 namespace py = pybind11;
 
 constexpr const char* description =
-    "What cannot be done, with the message that the program would print: what is wrong,\n"
-    "where, what to do.\n"
+    "An error, with the message that the program would print: what is wrong, where, and what\n"
+    "to do.\n"
     "\n"
     "`fault` is \"input\" (a scene, an array or a file is wrong) or \"run\" (a step cannot be\n"
     "solved, a disk is full).";

@@ -30,7 +30,7 @@ void bind_mechanics(py::module_& module) {
     using M = SceneMechanics;
     py::class_<M>(module, "Mechanics", "The elasticity of a scene's sheets, without time.")
         .def(py::init<const Scene&>(), py::arg("scene"))
-        .def_property_readonly("warnings", &M::warnings, "Sentences, of the scene.")
+        .def_property_readonly("warnings", &M::warnings, "Warnings about the scene, as sentences.")
         .def_property_readonly(
             "rest_positions", [](const M& one) { return array_of(one.shell().rest); }, "[V, 3] m, a copy.")
         .def_property_readonly(
@@ -53,7 +53,7 @@ void bind_mechanics(py::module_& module) {
             py::arg("positions"),
             "energies(positions) -> dict\n"
             "\n"
-            "J, of \"bending\" and \"membrane\", at positions [V, 3] m.")
+            "Returns the energies, J, of \"bending\" and \"membrane\", at positions [V, 3] m.")
         .def(
             "gradient",
             [](M& one, const Numbers& positions) {
@@ -62,13 +62,13 @@ void bind_mechanics(py::module_& module) {
             py::arg("positions"),
             "gradient(positions) -> array\n"
             "\n"
-            "Derivative of the energy by the positions, [V, 3] N, at positions [V, 3] m: minus the\n"
-            "force. Pins and clamps hold nothing here.")
+            "Returns the derivative of the energy by the positions, [V, 3] N, at positions [V, 3] m: minus\n"
+            "the force. Pins and clamps have no effect here.")
         .def("_hessian", &hessian, py::arg("positions"))
         .def("fields", &fields, py::arg("positions"),
              "fields(positions) -> dict\n"
              "\n"
-             "Of each face, at positions [V, 3] m, as Snapshot has them: \"curvature\",\n"
+             "Returns fields of each face at positions [V, 3] m, as in Snapshot: \"curvature\",\n"
              "\"membrane_strain\", \"stress_top\", \"stress_bottom\", [F, 3] each.");
 }
 

@@ -88,9 +88,9 @@ py::tuple parents(const Recording& recording, py::ssize_t earlier, py::ssize_t l
 void bind_recording(py::module_& module) {
     py::class_<Recording>(
         module, "Recording",
-        "Recording(file): what `sherd run` or sherd.record() has written, also while it is being\n"
-        "written. Raises Error when it cannot be read. Each attribute is read from the file when\n"
-        "it is asked for.")
+        "Recording(file): a recording that `sherd run` or sherd.record() has written, or is writing.\n"
+        "Raises Error when it cannot be read. Each attribute is read from the file when it is\n"
+        "accessed.")
         .def(py::init<const std::filesystem::path&>(), py::arg("file"))
         .def("__len__", &Recording::frame_count)
         .def(
@@ -102,30 +102,31 @@ void bind_recording(py::module_& module) {
             "frame(number) -> Snapshot\n"
             "\n"
             "The Snapshot of a frame, from 0; -1 is the last. Raises IndexError.")
-        .def_property_readonly("times", &times, "[frames] s, of each frame.")
+        .def_property_readonly("times", &times, "[frames] s, time of each frame.")
         .def_property_readonly(
             "scene_text", [](const Recording& one) { return one.header().scene_text; }, "The scene, as TOML.")
         .def_property_readonly(
             "sheets", [](const Recording& one) { return one.header().sheet_names; }, "Names of the sheets.")
         .def_property_readonly("end", &Recording::end,
                                "\"running\", \"complete\", \"interrupted\" or \"failed: ...\".")
-        .def_property_readonly("wall_seconds", &Recording::wall_seconds, "s, that the run took.")
+        .def_property_readonly("wall_seconds", &Recording::wall_seconds, "Wall time of the run, s.")
         .def_property_readonly(
             "steps", [](const Recording& one) { return columns_by_name(one.steps()); },
             "The columns of all steps as arrays [steps] or [steps, 3], by the names of StepReport.")
         .def_property_readonly(
             "reactions", &recorded_reactions,
-            "Of each support and obstacle, by name: \"force\" [steps, 3] N and \"moment\" [steps, 3] N m.")
+            "Reactions of each support and obstacle, by its name: \"force\" [steps, 3] N and\n"
+            "\"moment\" [steps, 3] N m.")
         .def_property_readonly("gauges", &recorded_gauges,
-                               "Of each gauge, by name: what it shows as arrays [steps, 3], by name.")
+                               "Readings of each gauge, by its name: arrays [steps, 3], by name.")
         .def_property_readonly(
             "events", [](const Recording& one) { return events_by_kind(one.events()); },
-            "What has broken, as Simulation.events has it.")
+            "Events, as in Simulation.events.")
         .def("poses", &poses, py::arg("frame"),
              "poses(frame) -> dict\n"
              "\n"
-             "Of each obstacle and body, by name: the matrix [4, 4] from its own frame to space, in a\n"
-             "frame.")
+             "Returns the matrix [4, 4] from the own frame of each obstacle and body to space, by name,\n"
+             "in a frame.")
         .def(
             "measures",
             [](const Recording& one, double over,
@@ -137,7 +138,7 @@ void bind_recording(py::module_& module) {
             py::arg("over") = 0.0, py::arg("about") = "", py::arg("radii") = std::vector<double>{},
             "measures(over=0.0, about='', radii=[]) -> dict\n"
             "\n"
-            "What runs are compared by, as `sherd info --measures --json` has it: sizes of fragments of\n"
+            "Returns measures for comparing runs, as `sherd info --measures --json`: sizes of fragments of\n"
             "more than `over` kg, the power law of their masses, length, shape and directions of cracks,\n"
             "peak forces. Radial and ring cracks are counted about a point [3] m at rest, or the first\n"
             "contact of the obstacle that `about` names, or '', the first crack; on circles with `radii`\n"
@@ -151,13 +152,14 @@ void bind_recording(py::module_& module) {
             py::arg("other"),
             "distance(other) -> dict\n"
             "\n"
-            "How alike the fragments of the last frames of two recordings lie at rest, as\n"
-            "`sherd info --distance --json` has it: \"rand\" and \"adjusted_rand\" are 1 when they are the\n"
+            "Compares the fragments of the last frames of two recordings, at rest, as\n"
+            "`sherd info --distance --json`: \"rand\" and \"adjusted_rand\" are 1 when they are the\n"
             "same. Raises Error when there is no frame.")
         .def("ancestry", &parents, py::arg("earlier"), py::arg("later"),
              "ancestry(earlier, later) -> (faces, vertices, weights)\n"
              "\n"
-             "Where the mesh of a later frame was in that of an earlier one: (faces [F], vertices [V,\n"
+             "Returns where the mesh of a later frame was in that of an earlier one: (faces [F], vertices "
+             "[V,\n"
              "3], weights [V, 3]). Each later face was that face, or a part of it; each later vertex\n"
              "lay between three vertices, with these shares: (weights[..., None] *\n"
              "values[vertices]).sum(1) carries values over.");

@@ -36,7 +36,7 @@ void bind_scene(py::module_& module) {
     constexpr std::size_t columns = 100;
     module.def(
         "scene_keys", [](const std::string& table) { return key_reference(table, columns); },
-        py::arg("table") = "", "The reference of scenes' keys, of one table or of all.");
+        py::arg("table") = "", "Returns the reference of the keys of scenes, of one table or of all.");
     py::class_<Scene>(module, "Scene", "A scene that has been read and checked.")
         .def(py::init([](const std::string& file, const std::vector<std::string>& overrides,
                          const std::string& variant) {
@@ -50,11 +50,13 @@ void bind_scene(py::module_& module) {
              }),
              py::arg("text"), py::arg("name"), py::arg("overrides"), py::arg("variant"), py::arg("meshes"))
         .def_property_readonly(
-            "file", [](const Scene& scene) { return scene.file.string(); }, "Where it was read from.")
-        .def_readonly("text", &Scene::text,
-                      "As TOML, with variant and overrides as comments at the end; recordings keep it.")
+            "file", [](const Scene& scene) { return scene.file.string(); },
+            "File from which the scene was read.")
+        .def_readonly(
+            "text", &Scene::text,
+            "The scene as TOML, with variant and overrides as comments at the end; recordings store it.")
         .def_readonly("variant", &Scene::variant, "Name of the variant; \"\": none.")
-        .def_readonly("duration", &Scene::duration, "s; in statics the last load factor, or path.")
+        .def_readonly("duration", &Scene::duration, "s; in statics the last load factor, or length of path.")
         .def_property_readonly(
             "step", [](const Scene& scene) { return scene.simulation.stepper.step; },
             "s, length of a whole step.")

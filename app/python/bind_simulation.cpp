@@ -22,7 +22,7 @@ namespace {
 FaceFieldChoice choice_of(const std::vector<std::string>& names) {
     for (const std::string& name : names)
         if (std::ranges::find(field_names, name) == field_names.end())
-            throw Error(fmt::format("fields: knows no '{}'; there are \"{}\"", name,
+            throw Error(fmt::format("fields: there is no field '{}'; known are \"{}\"", name,
                                     fmt::join(field_names, "\", \"")));
     return chosen_fields(names);
 }
@@ -81,8 +81,8 @@ void bind_simulation(py::module_& module) {
             },
             "step() -> StepReport\n"
             "\n"
-            "Makes one time step and returns its StepReport. Other Python threads run meanwhile. It\n"
-            "is shorter than Scene.step when it had to be halved. Raises Error when it cannot be\n"
+            "Makes one time step and returns its StepReport. Other Python threads run meanwhile. The\n"
+            "step is shorter than Scene.step when it had to be halved. Raises Error when it cannot be\n"
             "solved.")
         .def(
             "snapshot",
@@ -92,17 +92,18 @@ void bind_simulation(py::module_& module) {
             py::arg("fields") = std::vector<std::string>(),
             "snapshot(fields=[]) -> Snapshot\n"
             "\n"
-            "All of the sheets as they are now, which later steps do not change. fields: which of\n"
-            "\"stress\", \"curvature\" and \"membrane_strain\" of the faces it has.")
-        .def_property_readonly("scene", &LiveRun::scene, "The Scene, as it was read.")
-        .def_property_readonly("warnings", &LiveRun::warnings, "Sentences, of the scene.")
+            "Returns a Snapshot of the sheets as they are now, which later steps do not change. fields:\n"
+            "fields of faces that it has, of \"stress\", \"curvature\" and \"membrane_strain\".")
+        .def_property_readonly("scene", &LiveRun::scene, "The Scene that is simulated.")
+        .def_property_readonly("warnings", &LiveRun::warnings, "Warnings about the scene, as sentences.")
         .def_property_readonly("has_ended", &LiveRun::has_ended,
                                "Whether the scene's duration, or the end of statics, has been reached.")
         .def_property_readonly(
             "has_arrived", [](LiveRun& run) { return run.simulation().arrived(); },
-            "Whether there is no step to do any more: the end of statics.")
+            "Whether no step is left, at the end of statics.")
         .def_property_readonly(
-            "time", [](LiveRun& run) { return run.simulation().time(); }, "s, or see Scene.time_unit.")
+            "time", [](LiveRun& run) { return run.simulation().time(); },
+            "Simulated time, s, or in Scene.time_unit.")
         .def_property_readonly(
             "report", [](LiveRun& run) { return std::optional<StepReport>(run.report()); },
             "StepReport of the last step; None before.")
@@ -110,13 +111,14 @@ void bind_simulation(py::module_& module) {
             "reactions", &reactions,
             "Force [3] N and moment [3] N m about the origin, on the sheets, of each support and\n"
             "obstacle at the end of the last step, by name: \"sheet.plate.pin\".")
-        .def_property_readonly("poses", &current_poses,
-                               "Of each obstacle and body, by name: the matrix [4, 4] from its own frame to\n"
-                               "space, as Recording.poses has it.")
+        .def_property_readonly(
+            "poses", &current_poses,
+            "Matrices [4, 4] from the own frame of each obstacle and body to space, by name, as\n"
+            "in Recording.poses.")
         .def_property_readonly(
             "positions", [](LiveRun& run) { return array_of(shell_of(run).position); },
             "[V, 3] m, a copy. Vertices are those of the sheets in the order of the scene; copies\n"
-            "that cracks make come behind them.")
+            "that cracks make follow them.")
         .def_property_readonly(
             "velocities", [](LiveRun& run) { return array_of(shell_of(run).velocity); },
             "[V, 3] m/s, a copy.")
@@ -135,16 +137,16 @@ void bind_simulation(py::module_& module) {
         .def("set_forces", &set_forces, py::arg("forces").none(true),
              "set_forces(forces)\n"
              "\n"
-             "From the next step on these forces, [V, 3] N, act on the vertices, beside the scene's\n"
-             "loads, until others are set; None: none act. Where a crack splits a vertex its copies\n"
-             "share the force by mass; in statics it grows with the load factor. Raises Error on\n"
+             "Sets forces, [V, 3] N, that act on the vertices from the next step on, in addition to the\n"
+             "scene's loads, until others are set; None removes them. Where a crack splits a vertex its\n"
+             "copies share the force by mass; in statics it grows with the load factor. Raises Error on\n"
              "another shape, or a number that is not finite.")
         .def("prescribe", &prescribe, py::arg("vertices"), py::arg("positions"), py::arg("time"),
              "prescribe(vertices, positions, time)\n"
              "\n"
-             "Pinned vertices [n] go straight and at constant speed to the positions [n, 3] m, where\n"
-             "they are at `time` (s) and stay. Raises Error when one of them is not pinned, or the\n"
-             "time is over.")
+             "Moves pinned vertices [n] straight and at constant speed to positions [n, 3] m, which they\n"
+             "reach at `time` (s) and keep. Raises Error when one of them is not pinned, or the time has\n"
+             "passed.")
         .def(
             "break_edges",
             [](LiveRun& run, const Numbers& edges) {
@@ -154,13 +156,13 @@ void bind_simulation(py::module_& module) {
             py::arg("edges"),
             "break_edges(edges)\n"
             "\n"
-            "Makes the hinges of edges fail, each given by its two vertices, [n, 2], and opens the\n"
-            "mesh where that parts it: between two steps, whatever their strength. Its events come\n"
-            "with the next step. Raises Error when one is no edge inside a sheet, has failed, or is\n"
+            "Makes the hinges of edges fail between two steps, whatever their strength, and opens the\n"
+            "mesh where that separates it. Each edge is given by its two vertices, [n, 2]. The events\n"
+            "come with the next step. Raises Error when an edge is not inside a sheet, has failed, or is\n"
             "given twice.")
         .def_property_readonly(
             "events", [](LiveRun& run) { return events_by_kind(run.events()); },
-            "What has broken so far: for each kind (failure, opening, split, fragment, vertex_birth,\n"
+            "Events so far: for each kind (failure, opening, split, fragment, vertex_birth,\n"
             "face_birth, tips) its columns as arrays, by name, as in a recording.")
         .def("_record", &LiveRun::record, py::arg("file"), py::arg("force"))
         .def("_end_recording", &LiveRun::end_recording, py::arg("failure"));

@@ -27,8 +27,8 @@ BuiltScene built(const Scene& scene, int threads, std::vector<std::string>& warn
 Turn::Turn(std::atomic<bool>& taken) : taken(taken) {
     if (taken.exchange(true))
         throw Error(
-            "the simulation is at a step in another thread: wait for that, or give each thread a simulation "
-            "of its own",
+            "the simulation is making a step in another thread: wait for it, or give each thread a "
+            "simulation of its own",
             Fault::run);
 }
 
@@ -69,8 +69,8 @@ const CrackEvents& LiveRun::events() {
 
 void LiveRun::record(const std::filesystem::path& file, bool force) {
     const Turn turn(taken);
-    if (recording) throw Error("the simulation is being recorded: end that first");
-    if (last) throw Error("the simulation has made a step: a recording begins before the first one");
+    if (recording) throw Error("the simulation is being recorded: end that recording first");
+    if (last) throw Error("the simulation has made a step: a recording must begin before the first step");
     RecordingOutput output(file, force);
     remove_checkpoints(file);
     recording.reset(new LiveRecording{

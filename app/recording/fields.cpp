@@ -11,7 +11,7 @@ void require_field(const Eigen::Matrix3Xd& values, const std::string& name) {
     if (values.cols() == 0)
         throw Error(
             fmt::format("the recording does not have the {0} of its faces; run the scene again with "
-                        "output.fields = [\"{0}\"] in it, or --set 'output.fields=[\"{0}\"]'",
+                        "output.fields = [\"{0}\"], or --set 'output.fields=[\"{0}\"]'",
                         name));
 }
 

@@ -26,10 +26,10 @@ void write_obstacles(hid_t file, std::span<const RecordedObstacle> obstacles) {
     }
     hdf5::write_texts(file, "obstacles/names", names);
     hdf5::write<std::uint8_t>(file, obstacle_planes, planes,
-                              {"1", "1: a plane, whose surface here is a square of it"});
+                              {"1", "1: a plane, of which the surface here is a square"});
     if (std::ranges::find(deforming, 1) != deforming.end())
         hdf5::write<std::uint8_t>(file, obstacle_deforms, deforming,
-                                  {"1", "1: its points are in each frame, in space"});
+                                  {"1", "1: a deforming obstacle, whose points are in each frame, in space"});
 }
 
 ObstaclePlaces first_places(std::span<const RecordedObstacle> obstacles) {
@@ -73,11 +73,10 @@ void write_places(hid_t file, std::size_t frame, std::span<const RecordedObstacl
         hdf5::write<Vector3d>(file, places.points[i], points,
                               {"m", obstacles[i].deforms ? "in space" : "in space; it has moved"});
     }
-    hdf5::write<StoredPose>(
-        file, frame_group(frame) + "/obstacle/pose", stored,
-        {"1",
-         "of each row of /obstacles/names: the three rows of rotation | translation (m), from the "
-         "obstacle's own frame to space"});
+    hdf5::write<StoredPose>(file, frame_group(frame) + "/obstacle/pose", stored,
+                            {"1",
+                             "poses in the order of /obstacles/names: the three rows of rotation | "
+                             "translation (m), from the obstacle's own frame to space"});
 }
 
 }  // namespace sherd::recording_format

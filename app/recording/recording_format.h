@@ -74,13 +74,13 @@ struct Table<StepReport> {
         visit("step", {"1", "number of the step, from 1"}, &R::step);
         visit("time", {"s", "at the end of the step"}, &R::time);
         visit("step_size", {"s"}, &R::step_size);
-        visit("load", {"1", "factor of all loads: 1, but in statics"}, &R::load);
+        visit("load", {"1", "factor of all loads; 1 except in statics"}, &R::load);
         visit("kinetic", {"J"}, &R::kinetic);
         visit("bending", {"J"}, &R::bending);
         visit("membrane", {"J"}, &R::membrane);
         visit("gravity", {"J", "potential energy, zero at the origin"}, &R::gravity);
         visit("contact", {"J"}, &R::contact);
-        visit("residual", {"J", "of the residual stress of tempered sheets"}, &R::residual);
+        visit("residual", {"J", "energy of the residual stress of tempered sheets"}, &R::residual);
         // Sums since the start of the run.
         const auto since_start = [&](const char* name, const char* meaning, double R::*part) {
             visit(name, hdf5::Meaning{"J", meaning}, part);
@@ -88,51 +88,54 @@ struct Table<StepReport> {
         since_start("work_of_loads", "since the start, on sheets; in statics weight is a load",
                     &R::work_of_loads);
         since_start("work_of_wind", "since the start, on sheets", &R::work_of_wind);
-        since_start("work_of_supports", "since the start, of pins and clamps that move as told",
+        since_start("work_of_supports", "since the start, of pins and clamps with a prescribed motion",
                     &R::work_of_supports);
-        since_start("work_of_obstacles", "since the start, of those that move as told",
+        since_start("work_of_obstacles", "since the start, of obstacles with a prescribed motion",
                     &R::work_of_obstacles);
         since_start("lost_to_friction", "since the start, all friction of contact", &R::lost_to_friction);
         since_start("lost_to_damping", "since the start", &R::lost_to_damping);
         since_start("lost_to_cracks",
-                    "since the start: stored in what carried before edges opened, and taken by them",
+                    "since the start: elastic energy released when edges failed, and energy taken by edges "
+                    "as they opened",
                     &R::lost_to_cracks);
-        since_start("lost_to_remeshing", "since the start: where the sheet got other triangles",
+        since_start("lost_to_remeshing", "since the start: by changes of the triangles",
                     &R::lost_to_remeshing);
         since_start("lost_to_yield", "since the start: by bending beyond yield", &R::lost_to_yield);
-        since_start("lost_to_scheme", "since the start: what the time scheme takes, by its formula",
+        since_start("lost_to_scheme",
+                    "since the start: numerical dissipation of the time scheme, by its formula",
                     &R::lost_to_scheme);
         since_start("unexplained", "since the start: change of all energies, less work, plus losses",
                     &R::unexplained);
         visit("linear_momentum", {"kg m/s"}, &R::linear_momentum);
         visit("angular_momentum", {"kg m^2/s", "about the origin"}, &R::angular_momentum);
-        visit("newton_iterations", {"1", "over all stages; in explicit steps substeps"},
+        visit("newton_iterations", {"1", "over all stages; in explicit steps the number of substeps"},
               &R::newton_iterations);
-        visit("halvings", {"1", "of this step, because longer ones could not be solved"}, &R::halvings);
-        visit("stages", {"1", "stages of breaking"}, &R::stages);
+        visit("halvings", {"1", "halvings of this step, because longer steps could not be solved"},
+              &R::halvings);
+        visit("stages", {"1", "number of stages"}, &R::stages);
         visit("stage_cap_reached", {"1", "0 no, 1 yes"}, &R::stage_cap_reached);
         visit("is_explicit", {"1", "whether the step was made of substeps, 0 no, 1 yes"}, &R::is_explicit);
-        visit(
-            "urgency",
-            {"1",
-             "why explicit steps begin after implicit ones: 1 a strike, 2 stress, 3 a crack, 4 unsolved; 5: "
-             "implicit ones, because explicit ones cannot go on"},
-            &R::urgency);
+        visit("urgency",
+              {"1",
+               "why explicit steps begin after implicit ones: 1 an impact, 2 stress, 3 a crack, 4 a step "
+               "that cannot be solved, 6 surfaces that would pass through each other; 5: implicit steps "
+               "begin because explicit ones have failed; else 0"},
+              &R::urgency);
         visit("contacts", {"1", "vertices in contact"}, &R::contacts);
-        visit("obstacle_overlap", {"m", "how deep a sheet's surface is in an obstacle"},
+        visit("obstacle_overlap", {"m", "largest depth of a sheet's surface in an obstacle"},
               &R::obstacle_overlap);
-        visit("lip_overlap", {"m", "largest of the lips of cracks that have not moved apart yet"},
+        visit("lip_overlap", {"m", "largest overlap of crack faces that have not separated yet"},
               &R::lip_overlap);
-        visit("exempt_pairs", {"1", "pairs of vertices whose faces overlap since the start"},
+        visit("exempt_pairs", {"1", "pairs of vertices whose faces have overlapped since the start"},
               &R::exempt_pairs);
-        visit("fragments", {"1", "number of pieces"}, &R::fragments);
+        visit("fragments", {"1", "number of fragments"}, &R::fragments);
         visit("peak_strain",
               {"1/m",
-               "surface strain over half the thickness; largest of an unbroken hinge before anything "
-               "broke in the step, as are all peaks"},
+               "surface strain over half the thickness; like all peaks, the largest of an unbroken hinge "
+               "before the failures of the step"},
               &R::peak_strain);
         visit("peak_stress", {"Pa", "surface stress"}, &R::peak_stress);
-        visit("peak_bending_strain", {"1/m", "the paper's measure"}, &R::peak_bending_strain);
+        visit("peak_bending_strain", {"1/m", "bending strain, the paper's measure"}, &R::peak_bending_strain);
         visit("peak_overload", {"1", "measure over strength; 0 where nothing can break"}, &R::peak_overload);
         visit("peak_yield",
               {"1", "von Mises stress over yield stress, largest of a face; 0 where nothing yields"},
@@ -146,7 +149,9 @@ struct Table<Reaction> {
     template <class Visit>
     static void visit(Visit visit) {
         using R = Reaction;
-        visit("force", {"N", "on what is held or stopped, at the end of each step of /steps"}, &R::force);
+        visit("force",
+              {"N", "on the sheets and bodies that are held or stopped, at the end of each step of /steps"},
+              &R::force);
         visit("moment", {"N m", "of the same forces, about the origin"}, &R::moment);
     }
 };
@@ -170,7 +175,8 @@ struct Table<GaugeReading> {
                "second Piola-Kirchhoff stress in `axes`, 00, 11 and 01, at the surface to which its face's "
                "normal points"},
               &R::stress_top);
-        visit("stress_bottom", {"Pa", "the same at the other surface"}, &R::stress_bottom);
+        visit("stress_bottom", {"Pa", "second Piola-Kirchhoff stress in `axes` at the opposite surface"},
+              &R::stress_bottom);
     }
 };
 
@@ -186,13 +192,13 @@ struct Table<EdgeFailure> {
         using R = EdgeFailure;
         visit("time", {"s", "end of the step in which the hinge failed"}, &R::time);
         visit("step", {"1"}, &R::step);
-        visit("stage", {"1", "stage of the step's breaking, from 0"}, &R::stage);
+        visit("stage", {"1", "stage of the step, from 0"}, &R::stage);
         visit("edge", {"1", "row of edge/* of the frames"}, &R::edge);
         visit("vertices", {"1", "end points, rows of vertex/* of the frames"}, &R::vertices);
         visit("boundary_vertices", {"1", "0, 1, 2: B0, B1, B2"}, &R::boundary_vertices);
         visit("strain", {"1/m", "surface strain over half the thickness"}, &R::strain);
         visit("stress", {"Pa", "surface stress"}, &R::stress);
-        visit("overload", {"1", "what it was judged by over its strength"}, &R::overload);
+        visit("overload", {"1", "measure of the hinge over its strength"}, &R::overload);
     }
 };
 
@@ -205,7 +211,7 @@ struct Table<EdgeOpening> {
         using R = EdgeOpening;
         visit("time", {"s"}, &R::time);
         visit("step", {"1"}, &R::step);
-        visit("edge", {"1", "the edge that opened; stays with one face"}, &R::edge);
+        visit("edge", {"1", "the edge that opened, which stays with one face"}, &R::edge);
         visit("created", {"1", "the new edge of the other face"}, &R::created);
     }
 };
@@ -220,7 +226,7 @@ struct Table<VertexSplit> {
         visit("time", {"s"}, &R::time);
         visit("step", {"1"}, &R::step);
         visit("vertex", {"1", "the vertex that was split"}, &R::vertex);
-        visit("created", {"1", "its copy"}, &R::created);
+        visit("created", {"1", "the copy of the vertex"}, &R::created);
     }
 };
 
@@ -233,8 +239,8 @@ struct Table<FragmentBirth> {
         using R = FragmentBirth;
         visit("time", {"s"}, &R::time);
         visit("step", {"1"}, &R::step);
-        visit("fragment", {"1", "number of the new piece"}, &R::fragment);
-        visit("parent", {"1", "the piece that it was a part of, whose largest part keeps the number"},
+        visit("fragment", {"1", "number of the new fragment"}, &R::fragment);
+        visit("parent", {"1", "fragment of which it was a part, and whose largest part keeps the number"},
               &R::parent);
     }
 };
@@ -248,8 +254,8 @@ struct Table<VertexBirth> {
         using R = VertexBirth;
         visit("time", {"s"}, &R::time);
         visit("step", {"1"}, &R::step);
-        visit("created", {"1", "the vertex that was born, a row of vertex/* of the frames"}, &R::created);
-        visit("parents", {"1", "vertices between which it was born, rows of vertex/* of the frames"},
+        visit("created", {"1", "the inserted vertex, a row of vertex/* of the frames"}, &R::created);
+        visit("parents", {"1", "vertices between which it was inserted, rows of vertex/* of the frames"},
               &R::parents);
         visit("weights", {"1", "their shares at rest, which sum to 1; inside an edge the last is 0"},
               &R::weights);
@@ -265,7 +271,7 @@ struct Table<FaceBirth> {
         using R = FaceBirth;
         visit("time", {"s"}, &R::time);
         visit("step", {"1"}, &R::step);
-        visit("created", {"1", "the face that was born, a row of face/* of the frames"}, &R::created);
+        visit("created", {"1", "the inserted face, a row of face/* of the frames"}, &R::created);
         visit("parent", {"1", "the face that was split, a part of which keeps the number"}, &R::parent);
     }
 };
@@ -279,19 +285,24 @@ struct Table<TipRecord> {
         using R = TipRecord;
         visit("time", {"s", "end of the step"}, &R::time);
         visit("step", {"1"}, &R::step);
-        visit("tip", {"1", "number of the tip, which lasts"}, &R::tip);
+        visit("tip", {"1", "number of the tip, which it keeps"}, &R::tip);
         visit("vertex", {"1", "row of vertex/* of the frames"}, &R::vertex);
         visit("position", {"m"}, &R::position);
-        visit("direction", {"1", "in which it came, as the sheet lies now, a unit vector"}, &R::direction);
-        visit("speed", {"m/s", "along the edge before, until the next one is late; 0 in statics"}, &R::speed);
-        visit("G", {"J/m^2", "energy released, as it was judged last in the step"}, &R::released);
-        visit("G_c", {"J/m^2", "fracture energy, over which it goes on"}, &R::toughness);
-        visit("by_energy", {"1", "1: G is a configurational force; 0: it is by the stress ahead"},
+        visit("direction",
+              {"1", "direction of the path so far in the current position of the sheet, a unit vector"},
+              &R::direction);
+        visit("speed",
+              {"m/s", "speed along the previous edge; less if the next advance takes longer; 0 in statics"},
+              &R::speed);
+        visit("G", {"J/m^2", "release rate, as last evaluated in the step"}, &R::released);
+        visit("G_c", {"J/m^2", "fracture energy, above which the tip propagates"}, &R::toughness);
+        visit("by_energy",
+              {"1", "1: G is a configurational force; 0: G follows from the stress ahead of the tip"},
               &R::by_energy);
-        visit("K_I", {"Pa m^0.5", "of the membrane: opening"}, &R::opening);
-        visit("K_II", {"Pa m^0.5", "of the membrane: shear"}, &R::shear);
-        visit("k_1", {"Pa m^0.5", "of bending"}, &R::bending);
-        visit("k_2", {"Pa m^0.5", "of twist"}, &R::twist);
+        visit("K_I", {"Pa m^0.5", "stress intensity of the membrane: opening"}, &R::opening);
+        visit("K_II", {"Pa m^0.5", "stress intensity of the membrane: shear"}, &R::shear);
+        visit("k_1", {"Pa m^0.5", "stress intensity of bending"}, &R::bending);
+        visit("k_2", {"Pa m^0.5", "stress intensity of twist"}, &R::twist);
     }
 };
 

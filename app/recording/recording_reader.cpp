@@ -176,7 +176,7 @@ auto Recording::read_with(Read read) const {
     } catch (const std::bad_alloc&) {
         throw damaged("a length in it needs more memory than there is");
     } catch (const std::length_error&) {
-        throw damaged("a length in it is beyond all memory");
+        throw damaged("a length in it is too large for any memory");
     }
 }
 

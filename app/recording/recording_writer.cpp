@@ -118,7 +118,7 @@ void write_gauge(hid_t file, const RecordedGauge& gauge) {
     hdf5::write<Vector3d>(group, "place", std::array{gauge.place}, {"m", "on the sheet at rest"});
     if (gauge.fields.any())
         hdf5::write<Vector3d>(group, "axes", std::array<Vector3d, 2>{gauge.axes.col(0), gauge.axes.col(1)},
-                              {"1", "of its face at rest; the first runs along its first side"});
+                              {"1", "axes of the gauge's face at rest; the first runs along its first side"});
     create_table<GaugeReading>(file, path, [&](const char* column) { return is_recorded(gauge, column); });
 }
 
@@ -161,15 +161,14 @@ void write_fields(hid_t group, const Snapshot& snapshot) {
                                             const Eigen::Matrix3Xd& values, bool twice) {
         if (values.size() == 0) return;
         write_array(group, name, meaning, values);
-        write_array(group, name + principal_suffix,
-                    {meaning.unit, "its principal values, the larger one first"},
+        write_array(group, name + principal_suffix, {meaning.unit, "principal values, the larger one first"},
                     principal_values(values, twice));
     });
     write_array(
         group, "face/axes",
         {"1",
-         "of the tensors of faces: two unit vectors, along the face's first side where it is now, and "
-         "at right angles to that in its plane; their cross product is its normal"},
+         "axes of the tensors of faces: two unit vectors, along the face's first side in its current "
+         "position, and at right angles to it in the face's plane; their cross product is the normal"},
         axes_of_faces(snapshot));
 }
 
@@ -235,9 +234,9 @@ void write_modes(hid_t file, std::span<const RecordedMode> modes, const std::str
     hdf5::write<double>(group, "frequency", frequency, {"Hz", "0: the mode is unstable"});
     hdf5::write<double>(group, "growth", growth, {"1/s", "rate of an unstable mode; 0: it is stable"});
     const hsize_t vertices = modes.empty() ? 0 : modes.front().shape.cols();
-    hdf5::create_array(
-        group, "shape", H5T_NATIVE_DOUBLE, std::array<hsize_t, 3>{modes.size(), vertices, 3}, shape.data(),
-        {"kg^-1/2", "displacement of each vertex, of which the sum of mass times square is 1"});
+    hdf5::create_array(group, "shape", H5T_NATIVE_DOUBLE, std::array<hsize_t, 3>{modes.size(), vertices, 3},
+                       shape.data(),
+                       {"kg^-1/2", "displacement of each vertex; the sum of mass times its square is 1"});
     hdf5::write_attribute(file, "times", times);
 }
 
@@ -312,7 +311,7 @@ void RecordingWriter::append(const Snapshot& snapshot, std::span<const StepRepor
         throw Error("its unbroken mesh is not that of /rest", Fault::run);
     for (const StepReport& step : steps)
         if (step.reactions.size() != supports || step.gauges.size() != gauges)
-            throw Error(fmt::format("step {} has {} reactions and {} gauges, the head {} and {}", step.step,
+            throw Error(fmt::format("step {} has {} reactions and {} gauges, the header {} and {}", step.step,
                                     step.reactions.size(), step.gauges.size(), supports, gauges),
                         Fault::run);
     ObstaclePlaces next = next_places(places, frames.size(), obstacles, poses, shapes);
@@ -388,7 +387,7 @@ void RecordingWriter::go_on(const std::string& scene_text) try {
     index.publish(true);
     indexed = frames.size();
 } catch (const Error& error) {
-    throw Error(fmt::format("cannot go on with '{}': {}", file().string(), error.what()), Fault::run);
+    throw Error(fmt::format("cannot continue '{}': {}", file().string(), error.what()), Fault::run);
 }
 
 void RecordingWriter::finish(double wall_seconds, const std::string& end) {

@@ -124,8 +124,9 @@ void RenderFilm::add(const std::string& png) {
         const ssize_t count = ::write(pipe_end, png.data() + done, png.size() - done);
         if (count < 0 && errno == EINTR) continue;
         if (count < 0)
-            throw Error(fmt::format("ffmpeg gave up on the film '{}', for the reason above", file.string()),
-                        Fault::run);
+            throw Error(
+                fmt::format("ffmpeg stopped writing the film '{}', for the reason above", file.string()),
+                Fault::run);
         done += static_cast<std::size_t>(count);
     }
 }
@@ -137,9 +138,9 @@ void RenderFilm::publish(bool replace) {
             fmt::format("ffmpeg could not make the film '{}' (its exit code: {})", file.string(), code),
             Fault::run);
     if (!is_whole(pending.path()))
-        throw Error(fmt::format("ffmpeg could not write all of the film '{}', as when the disk is full",
-                                file.string()),
-                    Fault::run);
+        throw Error(
+            fmt::format("ffmpeg could not write all of the film '{}'; the disk may be full", file.string()),
+            Fault::run);
     pending.publish(replace);
 }
 

@@ -74,8 +74,8 @@ void RenderStage::read_scene(std::vector<std::string>& warnings) {
         if (options.colour == RenderColour::axis) throw;
         scene_spec.reset();
         warnings.push_back(
-            fmt::format("the scene in the recording cannot be read, so the picture has z up{}: {}",
-                        has_planes() ? "" : " and is without the scene's planes", error.what()));
+            fmt::format("the scene in the recording cannot be read, so z points up in the picture{}: {}",
+                        has_planes() ? "" : " and the scene's planes are missing", error.what()));
     }
 }
 
@@ -109,7 +109,7 @@ void RenderStage::measure(const Recording& recording) {
         measure_scalar(render_scalar(frame, options.colour));
     }
     if (focus.isEmpty())
-        throw Error("the recording has no frame with a place in it, so there is nothing to draw");
+        throw Error("the recording has no frame with finite positions, so there is nothing to draw");
     if (options.range) range = *options.range;
     if (!(range.second > range.first)) range.second = range.first + 1;  // all values are equal
 }
@@ -129,8 +129,8 @@ void RenderStage::measure_tips(const Recording& recording) {
     tips.emplace(recording);
     if (tips->empty())
         throw Error(
-            "--color tips: the recording has no tips of cracks; they are recorded of sheets with "
-            "fracture.toughness in which a crack was born, by this version or a later one");
+            "--color tips: the recording has no crack tips; they are recorded for sheets with "
+            "fracture.toughness in which a crack has started, by this version or a later one");
     scalar_name = "G / G_c of tips";
     for (const TipRecord& tip : recording.events().tips) {
         extent.first = std::min(extent.first, released_over_toughness(tip));

@@ -162,8 +162,8 @@ std::vector<Vector3d> recorded_axes(const Scene& scene, const RecordingHeader& h
     for (const SheetSpec& sheet : scene.sheets) {
         const Mesh mesh = make_mesh(sheet, scene, ignored);
         if (!is_recorded(mesh, header, axes.size()))
-            throw Error(fmt::format(
-                "{}: the mesh is not the one that was recorded, so its axes are not known", sheet.where));
+            throw Error(fmt::format("{}: the mesh differs from the recorded one, so its axes are unknown",
+                                    sheet.where));
         const std::vector<Vector3d> more = material_axes(sheet.axis, mesh, sheet.place, warnings);
         axes.insert(axes.end(), more.begin(), more.end());
     }

@@ -17,7 +17,7 @@ namespace {
 
 void check(FT_Error error) {
     if (error)
-        throw Error(fmt::format("words cannot be written into the picture: FreeType error {}", error),
+        throw Error(fmt::format("text cannot be written into the picture: FreeType error {}", error),
                     Fault::run);
 }
 

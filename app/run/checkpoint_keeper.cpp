@@ -61,11 +61,11 @@ void CheckpointKeeper::require_same_run(const Checkpoint& checkpoint) const {
             fmt::format("output.every was {} and is {}\n", checkpoint.frame_interval, scene.frame_interval);
     if (!why.empty())
         throw Error(
-            fmt::format("the run cannot go on with --resume, since its bits would be others:\n{}only "
-                        "duration may be another; --force instead of --resume begins anew",
+            fmt::format("the run cannot be resumed, since its results would differ:\n"
+                        "{}only duration may differ; --force instead of --resume starts again",
                         why));
     if (parts.runner.end_time() < checkpoint.time)
-        throw Error(fmt::format("the run has come to {:g} s, past duration = {:g}; give a longer one",
+        throw Error(fmt::format("the run has reached {:g} s, past duration = {:g}; give a longer duration",
                                 checkpoint.time, scene.duration));
 }
 

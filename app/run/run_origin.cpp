@@ -48,7 +48,7 @@ std::string differences(const std::map<std::string, T>& before, const std::map<s
 
 std::string setting_words(const std::string& key, const std::string* before, const std::string* now) {
     if (!before) return fmt::format("{} = {} has been added", key, *now);
-    if (!now) return fmt::format("{} = {} is not there any more", key, *before);
+    if (!now) return fmt::format("{} = {} has been removed", key, *before);
     return fmt::format("{} was {} and is {}", key, *before, *now);
 }
 
@@ -76,7 +76,7 @@ std::string differences(const RunOrigin& before, const RunOrigin& now) {
     if (before.program != now.program)
         text += fmt::format("the program was {} and is {}\n", before.program, now.program);
     if (text.empty() && before.start != now.start)
-        text = "what the scene is built of, such as a texture, a grid or a list of edges, has changed\n";
+        text = "an input of the scene, such as a texture, a grid or a list of edges, has changed\n";
     return text;
 }
 

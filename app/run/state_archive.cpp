@@ -40,14 +40,15 @@ void StateReader::bytes(void* data, std::size_t size) {
 void StateReader::enter(const char* type) {
     const std::size_t size = std::strlen(type) + 1;
     if (size > rest.size() || std::memcmp(rest.data(), type, size) != 0)
-        throw Error(fmt::format("the state is of another program: no {} is where one should be", type),
-                    Fault::run);
+        throw Error(
+            fmt::format("the state belongs to another program: {} is missing where it should be", type),
+            Fault::run);
     rest = rest.subspan(size);
 }
 
 void StateReader::finish() const {
     if (!rest.empty())
-        throw Error(fmt::format("the state is of another program: {} bytes are left over", rest.size()),
+        throw Error(fmt::format("the state belongs to another program: {} bytes are left over", rest.size()),
                     Fault::run);
 }
 

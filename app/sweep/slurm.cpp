@@ -122,8 +122,9 @@ std::string submit(std::size_t chunk, const std::string& script, const fs::path&
     try {
         end = end_of("sbatch", {"--parsable", file.string()});
     } catch (const Error& error) {
-        throw Error(fmt::format("sbatch: {}; --slurm is for machines that hand jobs to Slurm", error.what()),
-                    Fault::run);
+        throw Error(
+            fmt::format("sbatch: {}; --slurm is for machines that submit jobs to Slurm", error.what()),
+            Fault::run);
     }
     if (end.exit_code != 0) throw Error(end.err, Fault::run);              // each line names sbatch
     std::string number = end.out.substr(0, end.out.find_first_of(";\n"));  // "NUMBER;CLUSTER"

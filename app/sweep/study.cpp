@@ -38,7 +38,8 @@ void read_design(TomlTable& root, Study& study) {
     const bool draws = study.design == Design::latin || study.design == Design::random;
     study.samples = root.integer("samples", 1, most_samples, 0);
     if (draws && study.samples == 0)
-        root.report("samples", "is missing: how many rows design = \"latin\" or \"random\" makes");
+        root.report("samples",
+                    "is missing: give the number of rows that design = \"latin\" or \"random\" makes");
     if (!draws && study.samples != 0)
         root.report("samples", "is for design = \"latin\" or \"random\"; leave it out, or give one of these");
     study.seed = root.integer("seed", 0, std::numeric_limits<std::uint32_t>::max(), study.seed);
@@ -51,22 +52,24 @@ void require_rows(TomlTable& root, const Study& study) {
     double rows = static_cast<double>(draws ? study.samples : 1);
     for (const StudyParameter& parameter : study.parameters) {
         if (!draws && parameter.drawn)
-            root.report("parameters", fmt::format("{} has a distribution, which is drawn from with design = "
-                                                  "\"latin\" or \"random\"",
-                                                  parameter.name));
+            root.report("parameters",
+                        fmt::format("{} has a distribution, which needs design = \"latin\" or \"random\"",
+                                    parameter.name));
         if (study.design == Design::grid)
             rows *= static_cast<double>(std::max<std::size_t>(1, parameter.values.size()));
         if (study.design == Design::zip && parameter.values.size() != study.parameters[0].values.size())
-            root.report("parameters", fmt::format("{} has {} values and {} has {}; with design = \"zip\" all "
-                                                  "have as many",
-                                                  study.parameters[0].name, study.parameters[0].values.size(),
-                                                  parameter.name, parameter.values.size()));
+            root.report(
+                "parameters",
+                fmt::format(
+                    "{} has {} values and {} has {}; with design = \"zip\" all must have the same number",
+                    study.parameters[0].name, study.parameters[0].values.size(), parameter.name,
+                    parameter.values.size()));
         if (parameter.name != "seed" && is_study_column(parameter.name))
             root.report("parameters",
-                        fmt::format("{} is the name of another column of the table: name it otherwise",
+                        fmt::format("{} is the name of another column of the table: use another name",
                                     parameter.name));
         if (parameter.name == "seed" && study.repeats > 1)
-            root.report("repeats", "are by seed of the scene, which is a parameter already: leave one out");
+            root.report("repeats", "differ by the scene's seed, which is a parameter already: leave one out");
     }
     if (study.design == Design::zip && !study.parameters.empty())
         rows = static_cast<double>(study.parameters[0].values.size());
@@ -102,7 +105,7 @@ SlurmOptions read_slurm(TomlTable& table) {
                                      {"account", &slurm.account},
                                      {"time", &slurm.time},
                                      {"memory", &slurm.memory}})
-        if (table.has(key)) *value = table.string(key, "what sbatch takes");
+        if (table.has(key)) *value = table.string(key, "a value for sbatch");
     slurm.chunk = static_cast<std::size_t>(table.integer("chunk", 1, most_samples, 0));
     table.finish();
     return slurm;

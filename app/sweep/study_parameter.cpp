@@ -47,7 +47,7 @@ class ParameterReader {
         else if (const toml::table* table = node.as_table())
             read_table(*table);
         else
-            report(fmt::format("is one value; {}, or give it as one of `set`", advice));
+            report(fmt::format("is a single value; {}, or put it in `set`", advice));
         return std::move(parameter);
     }
 
@@ -112,7 +112,7 @@ class ParameterReader {
         } else {
             steps = table.integer("steps", 2, most_values, 0);
             if (steps == 0)
-                table.report("steps", "is missing: how many values there are from `from` to `to`");
+                table.report("steps", "is missing: give the number of values from `from` to `to`");
             step = (to - from) / static_cast<double>(std::max<std::int64_t>(1, steps - 1));
         }
         for (std::int64_t i = 0; i < steps; ++i) {
@@ -135,7 +135,7 @@ class ParameterReader {
             if (kind == Kind::normal && ab[1] < 0) table.report(name, "has a negative standard deviation");
             parameter.drawn = Distribution{kind, ab[0], ab[1]};
         }
-        if (!parameter.drawn) report(fmt::format("says nothing of its values; {}", advice));
+        if (!parameter.drawn) report(fmt::format("has no values; {}", advice));
     }
 
     const toml::node& node;

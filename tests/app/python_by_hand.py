@@ -121,7 +121,7 @@ class Motions(unittest.TestCase):
             simulation.prescribe(free, simulation.positions[free], 1)
         with self.assertRaisesRegex(sherd.Error, "vertex -1"):
             simulation.prescribe([-1], simulation.positions[held], 1)
-        with self.assertRaisesRegex(sherd.Error, "it is 0 already"):
+        with self.assertRaisesRegex(sherd.Error, "the time is 0 already"):
             simulation.prescribe(held, simulation.positions[held], 0)
         with self.assertRaisesRegex(sherd.Error, "has 2 rows, not 1"):
             simulation.prescribe(held, simulation.positions[:2], 1)

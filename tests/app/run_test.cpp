@@ -84,7 +84,7 @@ step = 1e-2
 )";
     const auto result = test::run_sherd({"run", "scene.toml", "-o", "run.h5"}, directory.path);
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    const std::string words = " at (0.5, 3.333e-05, 0) m at rest asks for the shortest";
+    const std::string words = " at (0.5, 3.333e-05, 0) m at rest requires the shortest";
     const std::size_t found = result.err.find("the face of sheet.plate" + words);
     EXPECT_NE(found, std::string::npos) << result.err;
     EXPECT_EQ(result.err.find(words, found + 50), std::string::npos) << "once is enough\n" << result.err;

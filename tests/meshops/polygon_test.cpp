@@ -152,7 +152,7 @@ TEST(Polygon, FaultsAreNamed) {
     begins(fault({{{0, 0}, {1, 0}}, {}, {}}), "outline: has 2 points");
     begins(fault({{{0, 0}, {1, 1}, {1, 0}, {0, 1}}, {}, {}}), "outline: crosses or touches itself");
     begins(fault({{{0, 0}, {1, 0}, {1, 1}, {0, 0}}, {}, {}}),
-           "outline: has the same point twice, as 4 and 1");
+           "outline: has the same point twice, as points 4 and 1");
     begins(fault({unit, {rectangle(2, 2, 1, 1)}, {}}), "holes: hole 1 is outside");
     begins(fault({unit, {rectangle(-1, -1, 3, 3)}, {}}), "holes: hole 1 is outside");
     begins(fault({unit, {rectangle(0.5, 0.2, 0.5, 0.2)}, {}}),

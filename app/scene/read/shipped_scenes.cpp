@@ -84,9 +84,10 @@ fs::path shipped_scene_folder() {
     std::error_code missing;
     fs::path found = fs::canonical(folder, missing);
     if (missing)
-        throw Error(fmt::format("the scenes that come with the program are not in '{}'; install it whole",
-                                folder.lexically_normal().string()),
-                    Fault::run);
+        throw Error(
+            fmt::format("the scenes that come with the program are not in '{}'; install the whole program",
+                        folder.lexically_normal().string()),
+            Fault::run);
     return found;
 }
 

@@ -26,7 +26,7 @@ toml::table parse_assignment(const std::string& assignment) {
     const std::string source = std::string(option) + assignment;
     const std::size_t equals = assignment.find('=');
     if (equals == std::string::npos || assignment.find('\n') != std::string::npos)
-        throw Error(fmt::format("{}: is no assignment on one line; {}", source, advice));
+        throw Error(fmt::format("{}: is not an assignment on one line; {}", source, advice));
     const std::string key = assignment.substr(0, equals), value = assignment.substr(equals + 1);
     if (auto table = parse(assignment, source)) return std::move(*table);
     if (!parse(key + " = 0", source))

@@ -80,7 +80,7 @@ TEST_F(Export, MddIsBigEndianAndKnowsTheTimes) {
 TEST_F(Export, CachesAreSlowMotion) {
     ExportOptions wanted = options("pc2", "out.pc2");
     EXPECT_EQ(export_recording(wanted).pace,
-              "20 times slower than reality: 0.2 s last 4 s, 97 samples at 24 a second");
+              "20 times slower than reality: 0.2 s last 4 s, 97 samples at 24 per second");
     const std::vector<Cloud> clouds = expected_clouds(run);
     Bytes pc2(bytes("out.pc2"), 28);
     ASSERT_EQ(pc2.next<std::int32_t>(), 97);

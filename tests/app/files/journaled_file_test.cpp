@@ -274,7 +274,7 @@ TEST(JournaledFile, TakesNoJournalOfAnotherFile) {
         folder.write("run.h5.journal", left.at(file.string() + ".journal"));
         folder.write("run.h5", other);
         EXPECT_EQ(content(OverlaidFile(file, {})), other);
-        EXPECT_NE(mend(file).find("is not of"), std::string::npos);
+        EXPECT_NE(mend(file).find("does not fit"), std::string::npos);
         EXPECT_EQ(folder.contents().at(file.string()), other);
     }
     folder.write("run.h5", left.at(file.string()));

@@ -84,8 +84,8 @@ TEST_F(PointCacheFile, ThatEndsTooEarlyIsRefused) {
         expect_refused("a.pc2", pc2.substr(0, size), "ends too early");
     for (std::size_t size = 0; size < mdd.size(); ++size)
         expect_refused("a.mdd", mdd.substr(0, size), "ends too early");
-    expect_refused("a.pc2", pc2 + "x", "its head tells of 80");
-    expect_refused("a.mdd", mdd + "x", "its head tells of 64");
+    expect_refused("a.pc2", pc2 + "x", "by its header 80");
+    expect_refused("a.mdd", mdd + "x", "by its header 64");
 }
 
 TEST_F(PointCacheFile, WithoutSamplesIsRefused) {
@@ -123,7 +123,7 @@ TEST_F(PointCacheFile, OfNoNumbersIsRefused) {
         expect_refused("a.mdd", mdd_of(two_samples(), {0, static_cast<float>(bad)}), "the time of sample 1");
         expect_refused("a.pc2", pc2_of(two_samples(), static_cast<float>(bad)), "frames apart");
     }
-    expect_refused("a.mdd", mdd_of(two_samples(), {1, 1}), "later than that of the one before");
+    expect_refused("a.mdd", mdd_of(two_samples(), {1, 1}), "later than that of the previous sample");
     expect_refused("a.pc2", pc2_of(two_samples(), 0), "0 frames apart");
 }
 

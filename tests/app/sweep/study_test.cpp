@@ -66,7 +66,7 @@ TEST(Study, QuickTakesItsTableOverTheOthers) {
 
 TEST(Study, MistakesAreToldWithTheirLines) {
     expect_mistake("repeat = 3\n", "a.toml:2: repeat: unknown key; did you mean 'repeats'?");
-    expect_mistake("[parameters]\na = 3\n", "a.toml:3: parameters.a: is one value");
+    expect_mistake("[parameters]\na = 3\n", "a.toml:3: parameters.a: is a single value");
     expect_mistake("[parameters]\na = []\n", "a.toml:3: parameters.a: is empty");
     expect_mistake("[parameters]\na = { from = 1, to = 2 }\n", "steps: is missing");
     expect_mistake("[parameters]\na = { from = 0, to = 2, steps = 3, log = true }\n", "parameters.a.from");
