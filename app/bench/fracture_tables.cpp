@@ -121,7 +121,7 @@ Json fracture_experiments(const std::string& only, bool quick, bool print) {
             experiment.add_row(one.edges[i], quick ? 1 : 3, json);
         experiment.finish();
     }
-    if (print) print_result("\n(!) is farther from theory than is asked for.\n");
+    if (print) print_result("\n(!) differs from theory by more than is required.\n");
     return json;
 }
 

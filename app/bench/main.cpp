@@ -185,12 +185,12 @@ struct Bench {
 };
 
 constexpr std::array<Bench, 6> benches{
-    {{"shells", "errors of plates and shells beside theory and published numbers", bench_shells},
-     {"cost", "what an iteration, an explicit step and a given error cost with each model", bench_cost},
-     {"fracture", "cracks that grow, beside theory", bench_fracture},
+    {{"shells", "errors of plates and shells compared with theory and published numbers", bench_shells},
+     {"cost", "cost of an iteration, of an explicit step and of a given error with each model", bench_cost},
+     {"fracture", "crack growth compared with theory", bench_fracture},
      {"paper", "simulated time over processor time, as in figure 2 of Cubic Shells", bench_paper, true},
-     {"scaling", "quiet steps as the mesh grows, beside lower bounds", bench_scaling, true},
-     {"cracking", "steps that crack a plate beside those that do not", bench_cracking, true}}};
+     {"scaling", "cost of quiet steps as the mesh grows, compared with lower bounds", bench_scaling, true},
+     {"cracking", "cost of steps in which a plate cracks, compared with other steps", bench_cracking, true}}};
 
 std::vector<std::string> names_of_benches() {
     std::vector<std::string> names;
@@ -219,7 +219,8 @@ int main(int argc, char** argv) {
     using namespace sherd;
     prepare_process();
     CLI::App program(
-        "Compares Sherd with theory, with published numbers and with itself, in tables that anyone can make.",
+        "Compares Sherd with theory, with published numbers and with itself, in tables that anyone can "
+        "reproduce.",
         "sherd-bench");
     BenchOptions options;
     program.add_option("name", options.name, words_of_benches())
@@ -227,30 +228,30 @@ int main(int argc, char** argv) {
         ->check(CLI::IsMember(names_of_benches()));
     program.add_flag(
         "--quick", options.quick,
-        "Under two minutes: the two coarser of three meshes, unstructured, of coupled hinges; of "
-        "cost the coarsest mesh and plates only; of fracture one mesh of the two coarser ones; of paper and "
-        "scaling the coarser meshes; of cracking the coarser mesh, and less time");
+        "Under two minutes: for shells the two coarser of three unstructured meshes, with coupled hinges; "
+        "for cost the coarsest mesh and plates only; for fracture one mesh for each of the two coarser edge "
+        "lengths; for paper and scaling the coarser meshes; for cracking the coarser mesh, and less time");
     program
         .add_option(
             "--only", options.only,
-            "Take the cases with this in their names; of scaling and cracking the choices of a solver")
+            "Run only the cases with this in their names; for scaling and cracking, the choices of a solver")
         ->option_text("TEXT");
     program
         .add_option("--models", options.models,
-                    "solver.bending, or with +arc or +constant-strain solver.membrane, too (default cubic "
-                    "coupled coupled+arc)")
+                    "Models: solver.bending, or solver.bending and solver.membrane, with +arc or "
+                    "+constant-strain (default cubic coupled coupled+arc)")
         ->option_text("MODEL ...");
     program
         .add_option("--vertices", options.most_vertices,
-                    "Of scaling: the largest mesh (default 102400), four times as many each; of paper: the "
-                    "largest that is taken")
+                    "For scaling: vertices of the largest mesh (default 102400), each mesh having four times "
+                    "as many as the one before; for paper: of the largest mesh that is used")
         ->check(number_within(1600, 1e8))
         ->option_text("NUMBER");
-    program.add_option("-o,--output", options.figure, "Of paper, scaling and cracking: draw a figure, too")
+    program.add_option("-o,--output", options.figure, "For paper, scaling and cracking: draw a figure, too")
         ->option_text("FILE.svg");
     program.add_flag("--force", options.force, "Replace a file that exists");
     program.add_flag("--json", options.json,
-                     "For scripts: one JSON array, of cost and scaling one JSON object");
+                     "For scripts: one JSON array; for cost and scaling, one JSON object");
     program.footer(
         "Example:\n  sherd-bench shells --quick --only hemisphere\n  sherd-bench paper --quick -o rates.svg");
     return run_program(

@@ -40,8 +40,10 @@ void print_head(const PaperScene& scene, const std::vector<SolverChoice>& choice
     std::vector<std::string> columns{"step (s)", "mesh", "vertices"};
     for (const SolverChoice& choice : choices) columns.push_back(choice.name);
     print_result(
-        "\n**{}**: simulated over processor time with {}, and as multiples of it with the others, of coupled "
-        "hinges of the first coupled one\n\n{}",
+        "\n**{}**: simulated over processor time with {}; with the others, multiples of it, or for coupled "
+        "hinges of the first coupled choice\n"
+        "\n"
+        "{}",
         scene.name, choices.front().name, table_head(columns));
 }
 
@@ -89,8 +91,10 @@ std::string words_of(const std::vector<double>& differences) {
 
 void print_summary(const std::vector<Done>& all, const std::vector<SolverChoice>& choices) {
     print_result(
-        "\n**All {} cases**: multiples of what it stands beside, and how far a vertex is at most from where "
-        "it is with the first one of the same energies (median of all cases, and most)\n\n{}",
+        "\n**All {} cases**: multiples of the choice beside it, and the largest distance of a vertex from "
+        "its place with the first choice of the same energies (median and largest of all cases)\n"
+        "\n"
+        "{}",
         all.size(),
         table_head({"choice", "beside", "median", "least", "most", "median beside " + choices.front().name,
                     "distance (edges)", "iterations a step", "factorizations a step", "unfinished"}));
