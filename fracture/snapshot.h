@@ -112,7 +112,7 @@ void visit_arrays(S& snapshot, const Visit& visit) {
           snapshot.faces);
     visit(A{.name = "face/fragment",
             .entries = Elements::faces,
-            .meaning = "number of the fragment, which it keeps while others split: see /events/fragment",
+            .meaning = "number of the fragment, kept while others split: see /events/fragment",
             .names = Names::fragments,
             .shown = true},
           snapshot.face_fragment);

@@ -110,7 +110,7 @@ void print_summary(const std::vector<Done>& all, const std::vector<SolverChoice>
                      static_cast<double>(summary.cost.factorizations) / steps, summary.unfinished);
     }
     print_result(
-        "\n(1) took too long and was stopped: what it did until then counts. (2) has a step that cannot be "
+        "\n(1) took too long and was stopped: its steps until then count. (2) has a step that cannot be "
         "solved.\n");
 }
 

@@ -233,7 +233,7 @@ std::string inconsistency(const Snapshot& s, std::size_t unbroken_vertices) {
     if (std::ranges::any_of(s.edge_state, [](EdgeState state) { return state > EdgeState::boundary; }))
         return "edge/state has an unknown state";
     if (std::ranges::any_of(s.edge_held, [](double share) { return !(share >= 0 && share <= 1); }))
-        return "edge/held has what is no share";
+        return "edge/held has a value that is not from 0 to 1";
     return ancestry_fault(s);
 }
 

@@ -88,9 +88,9 @@ struct Table<StepReport> {
         since_start("work_of_loads", "since the start, on sheets; in statics weight is a load",
                     &R::work_of_loads);
         since_start("work_of_wind", "since the start, on sheets", &R::work_of_wind);
-        since_start("work_of_supports", "since the start, of pins and clamps with a prescribed motion",
+        since_start("work_of_supports", "since the start, of pins and clamps by prescribed motion",
                     &R::work_of_supports);
-        since_start("work_of_obstacles", "since the start, of obstacles with a prescribed motion",
+        since_start("work_of_obstacles", "since the start, of obstacles by prescribed motion",
                     &R::work_of_obstacles);
         since_start("lost_to_friction", "since the start, all friction of contact", &R::lost_to_friction);
         since_start("lost_to_damping", "since the start", &R::lost_to_damping);
@@ -117,9 +117,8 @@ struct Table<StepReport> {
         visit("is_explicit", {"1", "whether the step was made of substeps, 0 no, 1 yes"}, &R::is_explicit);
         visit("urgency",
               {"1",
-               "why explicit steps begin after implicit ones: 1 an impact, 2 stress, 3 a crack, 4 a step "
-               "that cannot be solved, 6 surfaces that would pass through each other; 5: implicit steps "
-               "begin because explicit ones have failed; else 0"},
+               "why explicit steps begin: 1 an impact, 2 stress, 3 a crack, 4 an unsolved step, 6 surfaces "
+               "that would cross; why implicit ones begin: 5 explicit ones have failed; else 0"},
               &R::urgency);
         visit("contacts", {"1", "vertices in contact"}, &R::contacts);
         visit("obstacle_overlap", {"m", "largest depth of a sheet's surface in an obstacle"},
@@ -240,7 +239,7 @@ struct Table<FragmentBirth> {
         visit("time", {"s"}, &R::time);
         visit("step", {"1"}, &R::step);
         visit("fragment", {"1", "number of the new fragment"}, &R::fragment);
-        visit("parent", {"1", "fragment of which it was a part, and whose largest part keeps the number"},
+        visit("parent", {"1", "fragment of which it was a part; its largest part keeps the number"},
               &R::parent);
     }
 };
@@ -288,13 +287,11 @@ struct Table<TipRecord> {
         visit("tip", {"1", "number of the tip, which it keeps"}, &R::tip);
         visit("vertex", {"1", "row of vertex/* of the frames"}, &R::vertex);
         visit("position", {"m"}, &R::position);
-        visit("direction",
-              {"1", "direction of the path so far in the current position of the sheet, a unit vector"},
+        visit("direction", {"1", "unit vector along the path so far, in the sheet's current position"},
               &R::direction);
-        visit("speed",
-              {"m/s", "speed along the previous edge; less if the next advance takes longer; 0 in statics"},
+        visit("speed", {"m/s", "along the previous edge; less if the next one takes longer; 0 in statics"},
               &R::speed);
-        visit("G", {"J/m^2", "release rate, as last evaluated in the step"}, &R::released);
+        visit("G", {"J/m^2", "release rate, last evaluated in the step"}, &R::released);
         visit("G_c", {"J/m^2", "fracture energy, above which the tip propagates"}, &R::toughness);
         visit("by_energy",
               {"1", "1: G is a configurational force; 0: G follows from the stress ahead of the tip"},

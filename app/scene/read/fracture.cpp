@@ -84,15 +84,16 @@ void complete_map(TomlTable& table, StrengthMap& map) {
     map.where = complete_map_source(table);
 }
 
-constexpr auto map_keys = joined(
-    embedded<map_source_keys, &StrengthMap::source>(),
-    std::array{key<&StrengthMap::range>(
-                   "range", "`[a, b]`: the factor is `a` where the value is 0 and `b` where it is 1",
-                   {.range = not_negative, .otherwise = "the value itself", .excludes = {"value"}}),
-               special_key("value", Form::choice,
-                           "nothing breaks where the value is 0.5 or more; elsewhere nothing changes",
-                           {.choices = map_values, .otherwise = "the value is a factor"}, read_never),
-               key<&StrengthMap::of>("of", "what is multiplied", {.choices = laws, .excludes = {"value"}})});
+constexpr auto map_keys =
+    joined(embedded<map_source_keys, &StrengthMap::source>(),
+           std::array{key<&StrengthMap::range>(
+                          "range", "`[a, b]`: the factor is `a` where the value is 0 and `b` where it is 1",
+                          {.range = not_negative, .otherwise = "the value itself", .excludes = {"value"}}),
+                      special_key("value", Form::choice,
+                                  "nothing breaks where the value is 0.5 or more; elsewhere nothing changes",
+                                  {.choices = map_values, .otherwise = "the value is a factor"}, read_never),
+                      key<&StrengthMap::of>("of", "property that is multiplied",
+                                            {.choices = laws, .excludes = {"value"}})});
 constexpr Section<StrengthMap> map_section{"A map of strength or toughness", map_keys, complete_map};
 
 void read_edges(TomlTable& table, const KeyInfo& key, Score& score) {
