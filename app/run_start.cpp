@@ -37,7 +37,7 @@ RunStart run_start(const std::filesystem::path& file, const RunOptions& options)
             fmt::format("'{}' has no checkpoint to resume from; pass --force to start again", file.string()));
     }
     if (options.resume)
-        print_message("sherd: '{}' does not exist yet: the run starts from the beginning\n", file.string());
+        print_message("sherd: '{}' has not been started: the run starts from the beginning\n", file.string());
     remove_checkpoints(file);
     return start;
 }

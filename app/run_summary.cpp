@@ -68,7 +68,7 @@ std::string explicit_words(const RunTotals& totals) {
     for (const auto& [urgency, name] : names)
         if (const auto times = totals.urgencies[static_cast<std::size_t>(urgency)]; times > 0)
             causes.push_back(fmt::format("{} {}", name, times));
-    std::string words = fmt::format("{:g} s of this time", totals.explicit_time);
+    std::string words = fmt::format("{:g} s of simulated time", totals.explicit_time);
     if (!causes.empty()) words += fmt::format("; started by: {}", fmt::join(causes, ", "));
     if (const auto times = totals.urgencies[static_cast<std::size_t>(Urgency::overwhelmed)]; times > 0)
         words += fmt::format("; {} they failed, and implicit steps continued",

@@ -135,8 +135,10 @@ const std::vector<StudyMeasure>& study_measures() {
          of_first_crack([](First f) { return f.load; })},
         {"first_crack.x", "m", "x of this edge at rest",
          of_first_crack([](First f) { return f.position.x(); })},
-        {"first_crack.y", "m", "the same", of_first_crack([](First f) { return f.position.y(); })},
-        {"first_crack.z", "m", "the same", of_first_crack([](First f) { return f.position.z(); })},
+        {"first_crack.y", "m", "y of this edge at rest",
+         of_first_crack([](First f) { return f.position.y(); })},
+        {"first_crack.z", "m", "z of this edge at rest",
+         of_first_crack([](First f) { return f.position.z(); })},
         {"peak_force", "N", "the largest reaction of all supports and obstacles", largest_force},
     };
     return all;

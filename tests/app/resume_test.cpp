@@ -164,7 +164,7 @@ TEST(Resume, BeginsWhereNothingIsAndRefusesWhatItCannotGoOnWith) {
     const Falling scene;
     const ProgramResult first = scene.run({"-o", "run.h5", "--resume", "--until", "0.004"});
     EXPECT_EQ(first.exit_code, 0) << first.err;
-    EXPECT_NE(first.err.find("does not exist yet"), std::string::npos) << first.err;
+    EXPECT_NE(first.err.find("has not been started"), std::string::npos) << first.err;
     for (const fs::path& file : checkpoint_files(scene.file("run.h5"))) fs::remove(file);
     const ProgramResult lost = scene.run({"-o", "run.h5", "--resume"});
     EXPECT_EQ(lost.exit_code, 2);
