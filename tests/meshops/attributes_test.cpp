@@ -69,9 +69,11 @@ TEST(Attributes, OfACopyOfAVertexAreThoseOfTheVertex) {
         [&]<class Element, class Value, Inherits rule>(const Attribute<Element, Value, rule>& attribute) {
             const auto [values, exists] = find_property(mesh, attribute);
             ASSERT_TRUE(exists) << attribute.property;
-            if constexpr (std::same_as<Element, Vertex> && std::equality_comparable<Value>)
-                for (const Born<Vertex>& copy : change.vertices)
+            if constexpr (std::same_as<Element, Vertex> && std::equality_comparable<Value>) {
+                for (const Born<Vertex>& copy : change.vertices) {
                     EXPECT_EQ(values[copy.element], values[copy.parent()]) << attribute.property;
+                }
+            }
         });
 }
 
@@ -82,14 +84,15 @@ TEST(Attributes, OfAMeshAreInItsListsAndJoin) {
     both.group.assign(sheet.triangles.size(), 0);
     both.group_names = {"first"};
     add_group(both, sheet, "second");
-    visit_surface_attributes([&]<class Element, class Value, Inherits rule>(
-                                 const Attribute<Element, Value, rule>& attribute) {
-        const std::vector<Value>& list = sheet.look.*attribute.list;
-        ASSERT_EQ(list.size(), std::same_as<Element, Vertex> ? sheet.points.size() : sheet.triangles.size())
-            << attribute.property;
-        EXPECT_TRUE(is_same(list[3], some_value<Value>(3))) << attribute.property;
-        EXPECT_EQ((both.look.*attribute.list).size(), 2 * list.size()) << attribute.property;
-    });
+    visit_surface_attributes(
+        [&]<class Element, class Value, Inherits rule>(const Attribute<Element, Value, rule>& attribute) {
+            const std::vector<Value>& list = sheet.look.*attribute.list;
+            const bool is_of_vertices = std::same_as<Element, Vertex>;
+            ASSERT_EQ(list.size(), is_of_vertices ? sheet.points.size() : sheet.triangles.size())
+                << attribute.property;
+            EXPECT_TRUE(is_same(list[3], some_value<Value>(3))) << attribute.property;
+            EXPECT_EQ((both.look.*attribute.list).size(), 2 * list.size()) << attribute.property;
+        });
     Mesh bare = generate_rectangle(1, 1, {.edge_length = 0.5});
     take_properties(bare, mesh);
     visit_surface_attributes([&](const auto& attribute) {
