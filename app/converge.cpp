@@ -6,7 +6,7 @@
 
 #include "app/commands.h"
 #include "app/converge/observed_order.h"
-#include "app/converge/outcome.h"
+#include "app/converge/run_results.h"
 #include "app/json/json.h"
 #include "app/scene/scene.h"
 #include "app/words/counted.h"
@@ -24,7 +24,7 @@ struct ConvergeOptions {
 /// Outcomes of three runs, with edges or steps (`of`) 4 times, twice and once as long as in the scene.
 struct Series {
     std::string of;
-    std::array<Outcome, 3> runs;
+    std::array<RunResults, 3> runs;
 
     Convergence at(std::size_t quantity) const {
         return convergence({runs[0].quantities[quantity].value, runs[1].quantities[quantity].value,
@@ -37,9 +37,9 @@ struct Series {
     bool breaks() const { return runs[0].cracks + runs[1].cracks + runs[2].cracks > 0; }
 };
 
-Outcome told(const Scene& scene, const char* what) {
+RunResults told(const Scene& scene, const char* what) {
     print_message("{}: ", what);
-    Outcome result = outcome(scene);
+    RunResults result = results_of(scene);
     print_message("{}, {} of {:g}, {}, {:.1f} s\n", counted(result.faces, "face"),
                   counted(result.steps, "step"), scene.simulation.stepper.step,
                   counted(result.cracks, "crack"), result.seconds);
@@ -88,7 +88,7 @@ Json json_of(const Series& series) {
         rows.push_back(row);
     }
     Json faces = Json::array(), steps = Json::array(), cracks = Json::array();
-    for (const Outcome& run : series.runs) {
+    for (const RunResults& run : series.runs) {
         faces.push_back(run.faces);
         steps.push_back(run.steps);
         cracks.push_back(run.cracks);

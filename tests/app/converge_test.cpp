@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Users would trust a made-up order or limit more than the result itself.
+// Users would trust a made-up order or limit more than the results itself.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "app/converge/observed_order.h"
-#include "app/converge/outcome.h"
+#include "app/converge/run_results.h"
 #include "tests/support/built_text.h"
 #include "tests/support/thrown_by.h"
 
@@ -48,15 +48,15 @@ step = 0.25
 bending = "coupled"
 )";
 
-TEST(Outcome, OfCoupledHingesIsOfSecondOrderInTheEdges) {
+TEST(RunResults, OfCoupledHingesIsOfSecondOrderInTheEdges) {
     const Scene scene = built_from(strip).scene;
     std::array<double, 3> tip;
     const std::array<double, 3> times{4, 2, 1};
     for (std::size_t i = 0; i < 3; ++i) {
-        const Outcome result = outcome(with_edges(scene, times[i]));
-        EXPECT_EQ(result.steps, 4);
-        EXPECT_EQ(result.quantities[0].name, "tip, at the end");
-        tip[i] = result.quantities[0].value;
+        const RunResults results = results_of(with_edges(scene, times[i]));
+        EXPECT_EQ(results.steps, 4);
+        EXPECT_EQ(results.quantities[0].name, "tip, at the end");
+        tip[i] = results.quantities[0].value;
     }
     const Convergence found = convergence(tip);
     ASSERT_TRUE(found.order) << tip[0] << " " << tip[1] << " " << tip[2];
@@ -65,27 +65,27 @@ TEST(Outcome, OfCoupledHingesIsOfSecondOrderInTheEdges) {
     EXPECT_NEAR(*found.limit, 0.1 / 8 * 3 / 250, 0.02 * 1.5e-4);
 }
 
-Quantity quantity(const Outcome& outcome, const std::string& name) {
-    const auto found = std::ranges::find(outcome.quantities, name, &Quantity::name);
-    if (found == outcome.quantities.end()) throw std::runtime_error("no quantity is " + name);
+Quantity quantity(const RunResults& results, const std::string& name) {
+    const auto found = std::ranges::find(results.quantities, name, &Quantity::name);
+    if (found == results.quantities.end()) throw std::runtime_error("no quantity is " + name);
     return *found;
 }
 
 // A gauge of stress records no displacement, which was once reported in its place, as 0 m.
-TEST(Outcome, OfAGaugeOfStressIsItsComponentsAndThePrincipalOneInPascal) {
+TEST(RunResults, OfAGaugeOfStressIsItsComponentsAndThePrincipalOneInPascal) {
     std::string text = strip;
     text.replace(text.find("at = [1, 0.125, 0]"), 18, "at = [0.51, 0.13, 0]\nrecord = [\"stress\"]");
-    const Outcome result = outcome(built_from(text).scene);
-    EXPECT_EQ(result.quantities[0].name, "tip, stress top 00, at the end");
-    EXPECT_EQ(result.quantities[0].unit, "Pa");
-    const Quantity principal = quantity(result, "tip, principal stress, at the end");
+    const RunResults results = results_of(built_from(text).scene);
+    EXPECT_EQ(results.quantities[0].name, "tip, stress top 00, at the end");
+    EXPECT_EQ(results.quantities[0].unit, "Pa");
+    const Quantity principal = quantity(results, "tip, principal stress, at the end");
     EXPECT_EQ(principal.unit, "Pa");
-    EXPECT_EQ(quantity(result, "tip, principal stress, largest").value, principal.value) << "the load grows";
+    EXPECT_EQ(quantity(results, "tip, principal stress, largest").value, principal.value) << "the load grows";
     // 3 q (L - x)^2 / t^2 with q = 0.1 Pa, on the tensile side; a face is as long as 0.06 L
     EXPECT_NEAR(principal.value, 3 * 0.1 * 0.49 * 0.49 / 1e-4, 0.3 * 720);
 }
 
-TEST(Outcome, StepsAndMeshesThatCannotBeCoarserSaySo) {
+TEST(RunResults, StepsAndMeshesThatCannotBeCoarserSaySo) {
     const Scene scene = built_from(strip).scene;
     EXPECT_EQ(with_steps(scene, 2).simulation.stepper.step, 0.5);
     EXPECT_NE(thrown_by([&] { with_steps(scene, 8); }).find("longer than the run"), std::string::npos);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/converge/outcome.h"
+#include "app/converge/run_results.h"
 
 #include <fmt/format.h>
 
@@ -102,7 +102,7 @@ std::vector<Quantity> quantities(const Scene& scene, const RunTotals& totals,
 
 }  // namespace
 
-Outcome outcome(const Scene& scene) {
+RunResults results_of(const Scene& scene) {
     std::vector<std::string> warnings;
     Runner runner(scene, build_scene(scene, warnings));
     RunTotals totals;
@@ -110,7 +110,7 @@ Outcome outcome(const Scene& scene) {
     runner.add(totals);
     runner.add(largest);
     const RunEnd end = runner.run();
-    Outcome result;
+    RunResults result;
     result.faces = runner.simulation().shell().mechanics().triangles.size();
     result.steps = totals.last.step;
     result.cracks = static_cast<std::int64_t>(totals.cracks);

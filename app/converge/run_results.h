@@ -15,7 +15,7 @@ struct Quantity {
 };
 
 /// Results of a run of a scene, without a recording.
-struct Outcome {
+struct RunResults {
     std::size_t faces = 0;
     std::int64_t steps = 0, cracks = 0;
     double seconds = 0;  ///< s, wall time
@@ -27,7 +27,7 @@ struct Outcome {
 };
 
 /// Runs the scene. Throws what a run throws.
-Outcome outcome(const Scene& scene);
+RunResults results_of(const Scene& scene);
 
 /// Returns the scene with the edges of all its meshes `times` as long. Throws Error if a mesh comes from a
 /// file and is not remeshed.
