@@ -10,21 +10,21 @@
 
 #include "app/commands.h"
 #include "app/fault_picture.h"
+#include "app/messages/counted.h"
+#include "app/messages/place_text.h"
+#include "app/messages/print.h"
 #include "app/progress/idle_timer.h"
 #include "app/run_cost.h"
 #include "app/scene/build/built_scene.h"
-#include "app/scene/build/crack_step_words.h"
+#include "app/scene/build/crack_step_message.h"
 #include "app/scene/build/own_weight.h"
 #include "app/scene/build/plausibility.h"
 #include "app/scene/build/sheet.h"
 #include "app/scene/build/squeeze.h"
 #include "app/scene/build/supports.h"
 #include "app/scene/build/thickness.h"
-#include "app/scene/build/yield_words.h"
+#include "app/scene/build/yield_message.h"
 #include "app/scene/read/variant_remarks.h"
-#include "app/words/counted.h"
-#include "app/words/place_words.h"
-#include "app/words/print.h"
 #include "meshops/components.h"
 #include "meshops/error.h"
 #include "meshops/mesh_measures.h"
@@ -96,7 +96,7 @@ SheetInput print_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<s
     print_result("  area {:.6g} m^2, mass {:.6g} kg\n", m.area,
                  m.area * input.material.thickness * input.material.density);
     if (!input.thickness.empty())
-        print_result("  thickness {} m, {:.3g} m on average\n", thickness_words(input),
+        print_result("  thickness {} m, {:.3g} m on average\n", thickness_text(input),
                      input.material.thickness);
     print_result("  box {:.4g} {:.4g} {:.4g} to {:.4g} {:.4g} {:.4g} m\n", m.lower.x(), m.lower.y(),
                  m.lower.z(), m.upper.x(), m.upper.y(), m.upper.z());
@@ -113,7 +113,7 @@ void print_bodies(const Scene& scene, const std::vector<RigidBody>& bodies) {
         const RigidBody& body = bodies[b];
         print_result(
             "free obstacle {}\n  mass {:.6g} kg, centre of mass {}, inertia {:.4g}, {:.4g}, {:.4g} kg m^2\n",
-            scene.bodies[b].name, body.mass, place_words(body.centre), body.inertia.x(), body.inertia.y(),
+            scene.bodies[b].name, body.mass, place_text(body.centre), body.inertia.x(), body.inertia.y(),
             body.inertia.z());
     }
 }
@@ -131,12 +131,12 @@ void print_cost(const Scene& scene, BuiltScene built, const CheckOptions& option
         add(cost, tried);
         if (!tried.failure.empty())
             warnings.push_back(fmt::format("{}: {}", scene.file.string(), tried.failure));
-        if (tried.peaks.peak_yield > 1 && !keeps_bends(scene, scene.sheets[tried.peaks.yielding.sheet]))
+        if (tried.peaks.peak_yield > 1 && !bends_plastically(scene, scene.sheets[tried.peaks.yielding.sheet]))
             warnings.push_back(
                 fmt::format("{}: stress reaches {} within {} steps; real metal would keep a dent, "
                             "here it springs back",
                             scene.file.string(),
-                            yield_words(tried.peaks.peak_yield, tried.peaks.yielding, scene), tried.count));
+                            yield_message(tried.peaks.peak_yield, tried.peaks.yielding, scene), tried.count));
     }
     print_result("{}", cost_lines(cost));
     warn_of_cost(scene, cost, warnings);
@@ -176,7 +176,7 @@ void check(const Scene& scene, const CheckOptions& options, std::vector<std::str
     BuiltScene built = build_scene(scene, std::move(inputs), warnings);
     require_room_between(scene, built, warnings);
     print_bodies(scene, built.options.stepper.contact.bodies);
-    if (const std::string words = crack_step_words(scene, built.sheets); !words.empty())
+    if (const std::string words = crack_step_message(scene, built.sheets); !words.empty())
         print_result("cracks run {}\n", words);
     warn_of_implausible(scene, built.inputs, built.options, warnings);
     print_cost(scene, std::move(built), options, warnings);

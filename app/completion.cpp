@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "app/commands.h"
-#include "app/words/print.h"
+#include "app/messages/print.h"
 #include "meshops/error.h"
 
 namespace sherd {

@@ -8,9 +8,9 @@
 #include "app/converge/observed_order.h"
 #include "app/converge/run_results.h"
 #include "app/json/json.h"
+#include "app/messages/counted.h"
+#include "app/messages/print.h"
 #include "app/scene/scene.h"
-#include "app/words/counted.h"
-#include "app/words/print.h"
 #include "meshops/error.h"
 
 namespace sherd {

@@ -8,9 +8,9 @@
 #include "app/cut_lines.h"
 #include "app/files/pending_file.h"
 #include "app/json/json.h"
+#include "app/messages/print.h"
 #include "app/number_check.h"
 #include "app/scene/build/edge_list.h"
-#include "app/words/print.h"
 #include "fracture/crack_mesh.h"
 #include "meshops/components.h"
 #include "meshops/error.h"
@@ -69,7 +69,7 @@ std::vector<Edge> edges_to_open(const CutOptions& options, Mesh& mesh, Json& tol
             fmt::format("{}: the line lies on the boundary, which is open already", options.line.string()));
     told = {{"line_length", lines.length()},
             {"vertices_moved", lines.moved_vertices()},
-            {"vertices_born", lines.born_vertices()},
+            {"vertices_born", lines.inserted_vertices()},
             {"smallest_angle_made", lines.smallest_angle() * 180 / std::numbers::pi}};
     return lines.edges();
 }

@@ -4,9 +4,9 @@
 
 #include "app/commands.h"
 #include "app/export/export_formats.h"
+#include "app/messages/print.h"
 #include "app/progress/interruption.h"
 #include "app/slow_motion_options.h"
-#include "app/words/print.h"
 #include "meshops/error.h"
 
 namespace sherd {

@@ -10,10 +10,10 @@
 
 #include "app/commands.h"
 #include "app/files/pending_file.h"
+#include "app/messages/counted.h"
+#include "app/messages/print.h"
 #include "app/scene/build/sheet.h"
 #include "app/scene/build/start_faults.h"
-#include "app/words/counted.h"
-#include "app/words/print.h"
 #include "meshops/error.h"
 #include "meshops/mesh_faults.h"
 

@@ -11,11 +11,11 @@
 #include "app/commands.h"
 #include "app/measures/fragment_distance.h"
 #include "app/measures/measures.h"
+#include "app/messages/counted.h"
+#include "app/messages/number_list.h"
+#include "app/messages/print.h"
+#include "app/messages/time_text.h"
 #include "app/number_check.h"
-#include "app/words/counted.h"
-#include "app/words/moment_words.h"
-#include "app/words/number_list.h"
-#include "app/words/print.h"
 #include "core/elements/membrane.h"
 #include "core/elements/principal_values.h"
 #include "meshops/error.h"
@@ -116,12 +116,12 @@ void add_events(RunInfo& info, const CrackEvents& events) {
     info.failures = events.failures.size();
     info.openings = events.openings.size();
     info.splits = events.splits.size();
-    info.vertex_births = events.vertex_births.size();
-    info.face_births = events.face_births.size();
+    info.vertex_insertions = events.vertex_insertions.size();
+    info.face_insertions = events.face_insertions.size();
     info.tips = tips_of(events.tips);
-    for (const FragmentBirth& birth : events.births)
-        if (birth.fragment >= 0 && static_cast<std::size_t>(birth.fragment) < info.fragments.size())
-            info.fragments[birth.fragment].parent = birth.parent;
+    for (const FragmentSplit& split : events.fragment_splits)
+        if (split.fragment >= 0 && static_cast<std::size_t>(split.fragment) < info.fragments.size())
+            info.fragments[split.fragment].parent = split.parent;
 }
 
 void add_fragment_table(std::string& text, std::vector<FragmentInfo> fragments) {
@@ -222,11 +222,11 @@ void add_field_peaks(std::string& text, const RunInfo& info) {
     if (const auto& stress = info.stress)
         fmt::format_to(out, "stress       {:.5g} Pa at most, at the {} of face {} at {}\n",
                        stress->peak.value, stress->peak.top ? "top" : "bottom", stress->peak.face,
-                       moment_words(fmt::format("{:.5g}", stress->time), info.time_unit));
+                       time_text(fmt::format("{:.5g}", stress->time), info.time_unit));
     if (const auto& curvature = info.curvature)
         fmt::format_to(out, "curvature    changed by {:.5g} 1/m at most, of face {} at {}\n",
                        curvature->peak.value, curvature->peak.face,
-                       moment_words(fmt::format("{:.5g}", curvature->time), info.time_unit));
+                       time_text(fmt::format("{:.5g}", curvature->time), info.time_unit));
 }
 
 /// Adds the list of modes, for a recording of modes instead of a run.
@@ -262,7 +262,7 @@ CrackCentre centre_of(const InfoOptions& options) {
 int print_measures(const InfoOptions& options) {
     const Recording recording(options.recording);
     const Measures measures = measures_of(recording, options.over, centre_of(options));
-    if (!recording.mended().empty()) print_message("sherd: warning: {}\n", recording.mended());
+    if (!recording.recovery().empty()) print_message("sherd: warning: {}\n", recording.recovery());
     print_result(
         "{}", options.json ? measures_json(measures) : measures_text(measures, recording.header().time_unit));
     return 0;
@@ -279,7 +279,7 @@ int print_info(const InfoOptions& options) {
     if (!options.distance.empty()) return print_distance(options);
     if (options.measures) return print_measures(options);
     const RunInfo info = read_run_info(options.recording);
-    if (!info.mended.empty()) print_message("sherd: warning: {}\n", info.mended);
+    if (!info.recovery.empty()) print_message("sherd: warning: {}\n", info.recovery);
     print_result("{}", options.json ? run_info_json(info) : run_info_text(info));
     return 0;
 }
@@ -290,7 +290,7 @@ RunInfo read_run_info(const std::filesystem::path& file) try {
     const Recording recording(file);
     const RecordingHeader header = recording.header();
     RunInfo info;
-    info.mended = recording.mended();
+    info.recovery = recording.recovery();
     info.scene_file = header.scene_file;
     info.seed = header.seed;
     info.time_unit = header.time_unit;
@@ -323,7 +323,7 @@ std::string run_info_text(const RunInfo& info) {
     if (info.wall_seconds > 0) fmt::format_to(out, ", after {:.1f} s of wall time", info.wall_seconds);
     if (info.modes.empty())
         fmt::format_to(out, "\nrun          {}, {}, {}\n", counted(last.step, "step"),
-                       moment_words(fmt::format("{:.6g}", last.time), info.time_unit),
+                       time_text(fmt::format("{:.6g}", last.time), info.time_unit),
                        counted(info.frames, "frame"));
     else
         fmt::format_to(out, "\nframes       {}\n", info.frames);
@@ -342,9 +342,9 @@ std::string run_info_text(const RunInfo& info) {
     }
     fmt::format_to(out, "cracks       {} failed, {} opened; {} split", counted(info.failures, "edge"),
                    info.openings, counted(info.splits, "vertex", "vertices"));
-    if (info.vertex_births + info.face_births > 0)
-        fmt::format_to(out, "; {} and {} inserted", counted(info.vertex_births, "vertex", "vertices"),
-                       counted(info.face_births, "face"));
+    if (info.vertex_insertions + info.face_insertions > 0)
+        fmt::format_to(out, "; {} and {} inserted", counted(info.vertex_insertions, "vertex", "vertices"),
+                       counted(info.face_insertions, "face"));
     text += "\n";
     if (info.last) {
         add_last_step(text, info);

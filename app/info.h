@@ -44,13 +44,13 @@ struct SheetInfo {
 /// Summary of a run for `sherd info`; while the run continues, up to its last frame.
 struct RunInfo {
     std::string scene_file, end;
-    std::string mended;  ///< Recording::mended()
+    std::string recovery;  ///< Recording::recovery()
     std::int64_t seed = 0;
     std::string time_unit = "s";  ///< RecordingHeader::time_unit
     LoadHistory load;             ///< factor of all loads
     double wall_seconds = 0;
     std::size_t frames = 0, vertices = 0, faces = 0;  ///< in the last frame, or at rest without one
-    std::size_t failures = 0, openings = 0, splits = 0, vertex_births = 0, face_births = 0;
+    std::size_t failures = 0, openings = 0, splits = 0, vertex_insertions = 0, face_insertions = 0;
     std::vector<SheetInfo> sheets;                      ///< none before the first frame
     std::vector<FragmentInfo> fragments;                ///< by id; none before the first frame
     std::optional<MembraneStrainInfo> membrane_strain;  ///< in the last frame, if there is one

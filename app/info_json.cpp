@@ -56,8 +56,8 @@ std::string run_info_json(const RunInfo& info) {
               {"crack_events", info.failures},
               {"edges_opened", info.openings},
               {"vertices_split", info.splits},
-              {"vertices_born", info.vertex_births},
-              {"faces_born", info.face_births}};
+              {"vertices_born", info.vertex_insertions},
+              {"faces_born", info.face_insertions}};
     json["fragments"] = Json::array();
     for (const FragmentInfo& f : info.fragments)
         json["fragments"].push_back(

@@ -2,7 +2,7 @@
 
 #include "app/commands.h"
 #include "app/help/manual_page.h"
-#include "app/words/print.h"
+#include "app/messages/print.h"
 
 namespace sherd {
 

@@ -10,10 +10,10 @@
 #include <utility>
 
 #include "app/commands.h"
+#include "app/messages/print.h"
 #include "app/number_check.h"
 #include "app/progress/interruption.h"
 #include "app/scene/build/built_scene.h"
-#include "app/words/print.h"
 #include "meshops/error.h"
 
 namespace sherd {

@@ -4,8 +4,8 @@
 
 #include <iterator>
 
+#include "app/messages/counted.h"
 #include "app/modes.h"
-#include "app/words/counted.h"
 
 namespace sherd {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <charconv>
 
-#include "app/words/number.h"
+#include "app/messages/number.h"
 
 namespace sherd {
 namespace {

@@ -77,8 +77,8 @@ std::vector<PeakRow> peak_rows(const Scene& scene, const Simulation& simulation)
                 const Edge edge = sheet.edge_of_hinge(hinge);
                 if (sheet.sheet_of(edge) != static_cast<Index>(s)) continue;
                 const double factor = spec.fracture ? (sheet.strength(edge) - compression) / threshold : 1;
-                const bool is_judged = static_cast<Eigen::Index>(edge) < peaks.strain.size();
-                const double peak = is_judged ? peaks.of(measure, static_cast<Index>(edge)) : 0;
+                const bool is_evaluated = static_cast<Eigen::Index>(edge) < peaks.strain.size();
+                const double peak = is_evaluated ? peaks.of(measure, static_cast<Index>(edge)) : 0;
                 row.peaks.push_back(peak > compression ? (peak - compression) / factor : 0);
             }
             std::sort(row.peaks.begin(), row.peaks.end());

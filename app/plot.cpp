@@ -14,11 +14,11 @@
 #include "app/chart/palette.h"
 #include "app/commands.h"
 #include "app/files/pending_file.h"
+#include "app/messages/counted.h"
+#include "app/messages/print.h"
+#include "app/messages/time_text.h"
 #include "app/recording/recording_format.h"
 #include "app/sweep/study_chart.h"
-#include "app/words/counted.h"
-#include "app/words/moment_words.h"
-#include "app/words/print.h"
 #include "core/elements/principal_values.h"
 #include "meshops/error.h"
 
@@ -209,7 +209,7 @@ Chart size_chart(std::vector<Vector2d> sizes) {
 }
 
 std::string heading(const Recording& recording, const RecordingHeader& header, const StepReport& last) {
-    const std::string time = moment_words(fmt::format("{:.4g}", last.time), header.time_unit);
+    const std::string time = time_text(fmt::format("{:.4g}", last.time), header.time_unit);
     return fmt::format("{}, seed {}: {}, {}, {}, {}",
                        std::filesystem::path(header.scene_file).filename().string(), header.seed, time,
                        counted(last.step, "step"), counted(last.fragments, "fragment"), recording.end());
@@ -234,7 +234,7 @@ std::string study_svg(PlotOptions options) {
 
 std::string recording_svg(const std::filesystem::path& file) {
     const Recording recording(file);
-    if (!recording.mended().empty()) print_message("sherd: warning: {}\n", recording.mended());
+    if (!recording.recovery().empty()) print_message("sherd: warning: {}\n", recording.recovery());
     return plot_svg(recording);
 }
 

@@ -11,11 +11,11 @@
 #include "app/commands.h"
 #include "app/files/pending_file.h"
 #include "app/json/json.h"
+#include "app/messages/counted.h"
+#include "app/messages/print.h"
 #include "app/probe.h"
 #include "app/recording/hdf5_file.h"
 #include "app/recording/recording_format.h"
-#include "app/words/counted.h"
-#include "app/words/print.h"
 
 namespace sherd {
 namespace {

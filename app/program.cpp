@@ -12,10 +12,10 @@
 #include <new>
 #include <string_view>
 
+#include "app/messages/build_info.h"
+#include "app/messages/print.h"
 #include "app/progress/interruption.h"
 #include "app/usage_message.h"
-#include "app/words/build_info.h"
-#include "app/words/print.h"
 #include "meshops/error.h"
 
 namespace sherd {

@@ -11,6 +11,8 @@
 #include "app/commands.h"
 #include "app/export/export.h"
 #include "app/files/pending_file.h"
+#include "app/messages/counted.h"
+#include "app/messages/print.h"
 #include "app/playback/playback.h"
 #include "app/progress/interruption.h"
 #include "app/progress/progress.h"
@@ -20,8 +22,6 @@
 #include "app/render/render_picture.h"
 #include "app/render/render_stage.h"
 #include "app/slow_motion_options.h"
-#include "app/words/counted.h"
-#include "app/words/print.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -74,7 +74,7 @@ StageOptions stage_options(const RenderOptions& options, const PictureOptions& p
 
 /// The file of each picture; none if only a film is asked for. Pictures of a film have numbers of their own,
 /// and a name that differs from that of frames.
-std::vector<fs::path> planned_files(const RenderOptions& options, const std::vector<Moment>& moments) {
+std::vector<fs::path> planned_files(const RenderOptions& options, const std::vector<PlaybackTime>& moments) {
     if (options.output.empty()) {
         if (options.film.empty()) throw Error("nothing to draw into: give -o PATH, or --film FILE.mp4");
         return {};
@@ -94,16 +94,16 @@ std::vector<fs::path> planned_files(const RenderOptions& options, const std::vec
 
 /// The moments to draw: the chosen frames, or moments at equal intervals from the first to the last of them
 /// for a film. `pace` is set to the speed of the film, in words.
-std::vector<Moment> planned_moments(const RenderOptions& options, const Recording& recording,
-                                    std::string& pace) {
+std::vector<PlaybackTime> planned_moments(const RenderOptions& options, const Recording& recording,
+                                          std::string& pace) {
     const bool film = !options.film.empty();
     const std::string& wanted = !options.frames.empty() ? options.frames : film ? "all" : "last";
     const std::vector<std::size_t> frames = selected_frames(wanted, recording.frame_count());
     std::vector<double> times;
     for (const std::size_t frame : frames) times.push_back(recording.time(frame));
-    if (!film) return recorded_moments(frames, times);
+    if (!film) return recorded_times(frames, times);
     const Pace chosen = pace_of(options.slow, times.back() - times.front());
-    std::vector<Moment> moments = even_moments(frames, times, chosen.step());
+    std::vector<PlaybackTime> moments = even_times(frames, times, chosen.step());
     if (frames.size() > 1) pace = fmt::format("{}, {}", chosen.words(), counted(moments.size(), "picture"));
     return moments;
 }
@@ -130,13 +130,13 @@ void write_whole(const fs::path& file, const std::string& bytes, const OutputLoc
 /// Draws a colour bar, and a caption with the time, into a picture of a scalar.
 void annotate(Image& image, const RenderStage& stage, const Snapshot& frame, const RenderOptions& options) {
     const std::optional<ColourBar> bar = stage.colour_bar();
-    if (!bar || options.plain || !has_room_for_bar(image.width, image.height)) return;
+    if (!bar || options.plain || !fits_colour_bar(image.width, image.height)) return;
     draw_colour_bar(image, *bar);
     draw_caption(image, stage.caption(frame));
 }
 
 /// Draws all pictures, in sequence.
-void draw_all(const Recording& recording, const RenderStage& stage, const std::vector<Moment>& moments,
+void draw_all(const Recording& recording, const RenderStage& stage, const std::vector<PlaybackTime>& moments,
               const std::vector<fs::path>& files, const RenderOptions& options, const OutputLock* lock,
               RenderFilm* film, Rendering& result) {
     const PictureOptions picture = picture_options(options);
@@ -185,13 +185,13 @@ Rendering render_recording(const RenderOptions& options) {
     check_pace(options);
     const Recording recording(options.recording);
     std::string pace;
-    const std::vector<Moment> moments = planned_moments(options, recording, pace);
+    const std::vector<PlaybackTime> moments = planned_moments(options, recording, pace);
     const std::vector<fs::path> files = planned_files(options, moments);
     for (const fs::path& file : files) check_free(file, options.force, {options.recording});
     if (!options.film.empty()) check_free(options.film, options.force, {options.recording});
     std::vector<std::string> warnings;
     const RenderStage stage(recording, wanted, warnings);
-    if (stage.colour_bar() && !options.plain && !has_room_for_bar(picture.width, picture.height))
+    if (stage.colour_bar() && !options.plain && !fits_colour_bar(picture.width, picture.height))
         warnings.push_back(
             fmt::format("--size {}: the pictures are too small for a colour bar and a caption, which are "
                         "left out",

@@ -8,6 +8,8 @@
 #include "app/commands.h"
 #include "app/files/pending_file.h"
 #include "app/machine/threads.h"
+#include "app/messages/print.h"
+#include "app/messages/time_text.h"
 #include "app/number_check.h"
 #include "app/progress/interruption.h"
 #include "app/progress/progress_observer.h"
@@ -21,8 +23,6 @@
 #include "app/scene/build/built_scene.h"
 #include "app/scene/build/squeeze.h"
 #include "app/time_table.h"
-#include "app/words/moment_words.h"
-#include "app/words/print.h"
 
 namespace sherd {
 namespace {
@@ -34,7 +34,7 @@ class EndOnInterruption : public RunObserver {
         watch_for_interruption();
         if (is_part) leave_interruption_to_parent();
     }
-    bool wants_end() const override { return interrupted(); }
+    bool should_end() const override { return interrupted(); }
 };
 
 /// Ends a run at a simulated time, s.
@@ -42,7 +42,7 @@ class EndAt : public RunObserver {
   public:
     explicit EndAt(double time) : time(time) {}
     void stepped(const StepReport& report, const CrackEvents&) override { reached = has_come(report.time); }
-    bool wants_end() const override { return reached; }
+    bool should_end() const override { return reached; }
     bool has_come(double now) const { return now >= time * (1 - rounding); }
 
   private:
@@ -69,7 +69,7 @@ Scene scene_from(Scene scene, const std::optional<Checkpoint>& checkpoint) {
     return scene;
 }
 
-void say_that_nothing_is_left(const std::filesystem::path& file, double time, const std::string& unit) {
+void report_nothing_left(const std::filesystem::path& file, double time, const std::string& unit) {
     print_message("sherd: '{}' has reached {:g} {}: nothing is left to do\n", file.string(), time, unit);
 }
 
@@ -81,11 +81,11 @@ bool goes_on(const std::filesystem::path& file, const Runner& runner, const EndA
     const std::string unit = runner.scene().time_unit();
     const bool all = runner.is_complete() && Recording(file).end() == "complete";
     if (all || end.has_come(now)) {
-        say_that_nothing_is_left(file, now, unit);
+        report_nothing_left(file, now, unit);
         return false;
     }
     print_message("sherd: '{}' is resumed at {:g} {}\n", file.string(), now, unit);
-    recorder.go_on(runner.scene());
+    recorder.resume(runner.scene());
     return true;
 }
 
@@ -95,7 +95,7 @@ int run(const Scene& scene, const std::filesystem::path& file, const RunOptions&
     Runner runner = built_runner(scene_from(scene, start.checkpoint), threads_of_run(options.threads, 1));
     if (start.is_finished) {
         require_whole(file, runner.scene(), runner.end_time());
-        say_that_nothing_is_left(file, runner.end_time(), scene.time_unit());
+        report_nothing_left(file, runner.end_time(), scene.time_unit());
         return 0;
     }
     const Simulation& simulation = runner.simulation();
@@ -105,7 +105,7 @@ int run(const Scene& scene, const std::filesystem::path& file, const RunOptions&
     RunRecorder recorder(std::move(start.output), runner.scene(), simulation, start.checkpoint.has_value());
     CheckpointKeeper keeper({runner, totals, recorder}, run_origin(runner));
     if (start.checkpoint) {
-        keeper.put_back(*start.checkpoint);
+        keeper.restore(*start.checkpoint);
         if (!goes_on(file, runner, end_at, recorder)) return 0;
     }
     ProgressObserver progress(scene, simulation.time(), totals, options.progress_to);
@@ -120,7 +120,7 @@ int run(const Scene& scene, const std::filesystem::path& file, const RunOptions&
                                    end.wall_seconds - seconds_before));
     if (end.is_complete() || end_at.has_come(simulation.time())) return 0;
     print_message("sherd: interrupted; '{}' has the run up to {}; --resume continues it\n", file.string(),
-                  moment_words(fmt::format("{:g}", simulation.time()), scene.time_unit()));
+                  time_text(fmt::format("{:g}", simulation.time()), scene.time_unit()));
     return interruption_exit_code();
 }
 

@@ -11,10 +11,10 @@
 #include <utility>
 
 #include "app/machine/memory.h"
+#include "app/messages/counted.h"
 #include "app/recording/recording_size.h"
 #include "app/run/runner.h"
 #include "app/scene/build/supports.h"
-#include "app/words/counted.h"
 
 namespace sherd {
 namespace {

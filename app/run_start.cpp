@@ -5,7 +5,7 @@
 
 #include <cstdio>
 
-#include "app/words/print.h"
+#include "app/messages/print.h"
 #include "meshops/error.h"
 
 namespace sherd {

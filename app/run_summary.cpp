@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/messages/counted.h"
+#include "app/messages/time_text.h"
 #include "app/peak_table.h"
-#include "app/scene/build/crack_step_words.h"
-#include "app/scene/build/yield_words.h"
-#include "app/words/counted.h"
-#include "app/words/moment_words.h"
+#include "app/scene/build/crack_step_message.h"
+#include "app/scene/build/yield_message.h"
 
 namespace sherd {
 namespace {
@@ -32,12 +32,12 @@ void add_peaks(std::string& text, const RunTotals& totals) {
 void add_yield(std::string& text, const RunTotals& totals, const Scene& scene) {
     const StepReport& peaks = totals.peaks;
     if (!(peaks.peak_yield > 0)) return;
-    add_row(text, "peak yield", yield_words(peaks.peak_yield, peaks.yielding, scene));
+    add_row(text, "peak yield", yield_message(peaks.peak_yield, peaks.yielding, scene));
     if (!std::isfinite(totals.yielded_at)) return;
-    const bool keeps = keeps_bends(scene, scene.sheets[peaks.yielding.sheet]);
+    const bool keeps = bends_plastically(scene, scene.sheets[peaks.yielding.sheet]);
     add_row(
         text, keeps ? "keeps a dent" : "would keep a dent",
-        fmt::format("from {} on{}", moment_words(fmt::format("{:.4g}", totals.yielded_at), scene.time_unit()),
+        fmt::format("from {} on{}", time_text(fmt::format("{:.4g}", totals.yielded_at), scene.time_unit()),
                     keeps ? "" : "; here it springs back"));
 }
 
@@ -70,7 +70,7 @@ std::string explicit_words(const RunTotals& totals) {
             causes.push_back(fmt::format("{} {}", name, times));
     std::string words = fmt::format("{:g} s of simulated time", totals.explicit_time);
     if (!causes.empty()) words += fmt::format("; started by: {}", fmt::join(causes, ", "));
-    if (const auto times = totals.urgencies[static_cast<std::size_t>(Urgency::overwhelmed)]; times > 0)
+    if (const auto times = totals.urgencies[static_cast<std::size_t>(Urgency::explicit_failed)]; times > 0)
         words += fmt::format("; {} they failed, and implicit steps continued",
                              times == 1 ? "once" : counted(times, "time"));
     return words;
@@ -119,7 +119,7 @@ std::string run_summary(const RunTotals& totals, const RunEnd& end, const std::f
                     static_cast<double>(totals.newton_iterations) /
                         static_cast<double>(std::max<std::int64_t>(1, totals.last.step))));
     add_row(text, "cracked edges", fmt::format("{}", totals.cracks));
-    if (const auto words = crack_step_words(scene, simulation.shell());
+    if (const auto words = crack_step_message(scene, simulation.shell());
         simulation.grown_edges() > 0 && !words.empty())
         add_row(text, "cracks run", words);
     add_row(text, "fragments", fmt::format("{}", totals.last.fragments));
@@ -129,10 +129,10 @@ std::string run_summary(const RunTotals& totals, const RunEnd& end, const std::f
         add_row(
             text, "steps halved",
             fmt::format("{}, down to {:g}{}", counted(totals.halvings, "time"), totals.smallest_step, unit));
-    if (simulation.forbidden_failures() > 0)
+    if (simulation.prevented_failures() > 0)
         add_row(text, "failures forbidden",
                 fmt::format("{}, which would have made pieces below fracture.smallest",
-                            simulation.forbidden_failures()));
+                            simulation.prevented_failures()));
     if (totals.capped > 0) add_row(text, "steps at stage limit", fmt::format("{}", totals.capped));
     add_made_energy(text, totals, scene);
     if (totals.cracks == 0 && totals.last.step > 0) text += peak_table(peak_rows(scene, simulation));

@@ -12,12 +12,12 @@
 
 #include "app/files/pending_file.h"
 #include "app/machine/threads.h"
+#include "app/messages/print.h"
+#include "app/messages/shell_quoting.h"
 #include "app/process/child_run.h"
 #include "app/progress/interruption.h"
 #include "app/progress/progress_display.h"
 #include "app/recording/recording.h"
-#include "app/words/print.h"
-#include "app/words/shell_word.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -113,7 +113,7 @@ void VariantRunner::listen() {
     for (auto run = running.begin(); run != running.end();) {
         const bool goes_on = run->listen();
         if (const std::string words = run->take_words(); !words.empty()) {
-            display.make_way();
+            display.clear_for_output();
             print_message("{}", words);
         }
         if (goes_on) {
@@ -131,7 +131,7 @@ void VariantRunner::finish(ChildRun& run) {
         ++complete;
     else
         failed.push_back(run.name);
-    display.make_way();
+    display.clear_for_output();
     display.leave(run.meter);
     if (!run.results.empty()) print_result("variant {}\n{}\n", run.name, run.results);
     std::fflush(stdout);

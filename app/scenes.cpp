@@ -7,10 +7,10 @@
 #include "app/help/key_reference.h"
 #include "app/help/scene_schema.h"
 #include "app/json/json.h"
+#include "app/messages/print.h"
+#include "app/messages/wrapped.h"
 #include "app/scene/read/scene.h"
 #include "app/scene/read/shipped_scenes.h"
-#include "app/words/print.h"
-#include "app/words/wrapped.h"
 #include "meshops/error.h"
 
 namespace sherd {

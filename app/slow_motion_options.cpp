@@ -11,9 +11,9 @@ void add_slow_motion_option(CLI::App& command, std::optional<double>& factor) {
         ->option_text("FACTOR");
 }
 
-void add_slow_motion_options(CLI::App& command, SlowMotion& motion, const char* rate_words) {
+void add_slow_motion_options(CLI::App& command, SlowMotion& motion, const char* rate_help) {
     add_slow_motion_option(command, motion.factor);
-    command.add_option("--rate", motion.rate, rate_words)->option_text("R");
+    command.add_option("--rate", motion.rate, rate_help)->option_text("R");
 }
 
 }  // namespace sherd

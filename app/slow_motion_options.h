@@ -10,7 +10,7 @@ namespace sherd {
 
 void add_slow_motion_option(CLI::App& command, std::optional<double>& factor);  ///< adds --slow
 
-/// Adds --slow and --rate. rate_words: description of the rate.
-void add_slow_motion_options(CLI::App& command, SlowMotion& motion, const char* rate_words);
+/// Adds --slow and --rate. rate_help: description of the rate.
+void add_slow_motion_options(CLI::App& command, SlowMotion& motion, const char* rate_help);
 
 }  // namespace sherd

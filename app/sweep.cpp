@@ -9,6 +9,9 @@
 
 #include "app/commands.h"
 #include "app/files/program_file.h"
+#include "app/messages/counted.h"
+#include "app/messages/print.h"
+#include "app/messages/split.h"
 #include "app/number_check.h"
 #include "app/progress/interruption.h"
 #include "app/run_cost.h"
@@ -20,9 +23,6 @@
 #include "app/sweep/sweep_folder.h"
 #include "app/sweep/sweep_runner.h"
 #include "app/sweep/unlocked_output.h"
-#include "app/words/counted.h"
-#include "app/words/print.h"
-#include "app/words/split.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -76,7 +76,7 @@ std::vector<std::size_t> rows_to_run(const Sweep& sweep, const SweepState& state
 }
 
 /// Reports the results of earlier sweeps in the folder.
-void tell_of_before(const SweepState& state, const StudyRows& rows, const fs::path& folder, bool retry) {
+void report_before(const SweepState& state, const StudyRows& rows, const fs::path& folder, bool retry) {
     if (state.done > 0)
         print_message("sherd: {} of {} rows are done already\n", state.done, rows.rows.size());
     if (!state.failed.empty())
@@ -106,7 +106,7 @@ bool run_rows(const Sweep& sweep, const SweepOptions& options) {
     wait_until_unlocked(file);
     ResultJournal journal(file);
     const SweepState state = sweep_state(sweep.rows, results_in(sweep.folder));
-    tell_of_before(state, sweep.rows, sweep.folder, options.retry);
+    report_before(state, sweep.rows, sweep.folder, options.retry);
     std::vector<std::size_t> wanted = rows_to_run(sweep, state, options.retry);
     std::erase_if(wanted, [begin = begin, end = end](std::size_t row) { return row < begin || row >= end; });
     if (wanted.empty()) return true;
@@ -177,7 +177,7 @@ SlurmJob slurm_job(const Sweep& sweep, const SweepOptions& options, const fs::pa
 
 int submit_sweep(const Sweep& sweep, const SweepOptions& options) {
     const SweepState state = sweep_state(sweep.rows, results_in(sweep.folder));
-    tell_of_before(state, sweep.rows, sweep.folder, options.retry);
+    report_before(state, sweep.rows, sweep.folder, options.retry);
     const std::vector<std::size_t> wanted = rows_to_run(sweep, state, options.retry);
     if (wanted.empty()) {
         print_message("sherd: no row is left to run; --collect makes the tables\n");
@@ -198,8 +198,8 @@ int submit_sweep(const Sweep& sweep, const SweepOptions& options) {
 int print_status(const Sweep& sweep) {
     const RowResults results = results_in(sweep.folder);
     const SweepState state = sweep_state(sweep.rows, results);
-    tell_of_before({.of_other_program = state.of_other_program, .foreign = state.foreign}, sweep.rows,
-                   sweep.folder, false);
+    report_before({.of_other_program = state.of_other_program, .foreign = state.foreign}, sweep.rows,
+                  sweep.folder, false);
     print_result("{}", rows_words(state, sweep.rows.rows.size()));
     if (const auto job = submitted_job(sweep.folder)) {
         std::size_t running = 0, waiting = 0, rows_running = 0, rows_waiting = 0;

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <map>
 
-#include "app/words/counted.h"
+#include "app/messages/counted.h"
 
 namespace sherd {
 

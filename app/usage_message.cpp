@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "app/words/nearest_name.h"
+#include "app/messages/nearest_name.h"
 
 namespace sherd {
 namespace {

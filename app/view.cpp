@@ -14,13 +14,13 @@
 #include "app/commands.h"
 #include "app/files/pending_file.h"
 #include "app/files/xml_text.h"
+#include "app/messages/print.h"
 #include "app/number_check.h"
 #include "app/playback/slow_motion.h"
 #include "app/render/surface_paint.h"
 #include "app/slow_motion_options.h"
 #include "app/view/view_assets.h"
 #include "app/view/view_data.h"
-#include "app/words/print.h"
 #include "meshops/error.h"
 #include "meshops/shared_values.h"
 
@@ -123,9 +123,9 @@ PageJson fitting_data(const Recording& recording, const RenderStage& stage, doub
     const std::optional<PageLook> look =
         look_for(recording, last, thinning.has_value(), most_bytes, warnings);
     const auto vertices = static_cast<double>(last.position.cols());
-    const std::size_t look_room =
+    const std::size_t look_space =
         look ? look_bytes(recording.header().rest_look, last.faces.size()) + look->pictures().bytes() : 0;
-    const double room = std::max(0.0, most_bytes - vertices * face_bytes - static_cast<double>(look_room));
+    const double room = std::max(0.0, most_bytes - vertices * face_bytes - static_cast<double>(look_space));
     const double shapes = point_bytes * deforming_points(recording);
     const std::vector<std::size_t> frames =
         shown_frames(recording.frame_count(), static_cast<std::size_t>(vertices * frame_bytes + shapes),

@@ -24,7 +24,7 @@ struct Energy {
     virtual ~Energy() = default;
     /// Prepares for a step, which begins at the shell's positions and velocities.
     virtual void begin(const StepContext& /*step*/) {}
-    /// Must be called when the shell has other vertices, hinges or crack faces (lips); the open step
+    /// Must be called when the shell has other vertices, hinges or crack faces; the open step
     /// continues.
     virtual void topology_changed(const ShellChange& /*change*/, const StepContext& step) { begin(step); }
     /// Must be called when the minimiser has moved to the iterate x, from which it continues.
@@ -48,7 +48,7 @@ struct Energy {
     virtual double safe_fraction(const Positions& /*x*/, const Positions& /*motion*/) const { return 1; }
     /// Contribution to the Hessian for each unit of a vertex's mass, in each direction, 1/s^2, without that
     /// of the air, which is proportional to area.
-    virtual double of_mass() const { return 0; }
+    virtual double hessian_per_mass() const { return 0; }
     /// The task that the energy's computing time is booked on.
     virtual Task task() const { return Task::elasticity; }
 

@@ -10,7 +10,7 @@
 namespace sherd {
 
 /// A new element of a shell, and its parents: the elements before the change whose data it inherits.
-struct Heir {
+struct IndexWithParents {
     struct Parent {
         Index element;
         double weight;
@@ -30,7 +30,7 @@ struct Opening {
 /// appended. Parents are elements before the change, with the data that they had then. A crack that opens
 /// only changes the numbers of corners; members from `moved` on describe changes of triangles (remeshing).
 struct ShellChange {
-    std::vector<Heir> vertices = {}, edges = {}, faces = {};
+    std::vector<IndexWithParents> vertices = {}, edges = {}, faces = {};
     /// Removed hinges, in the order of removal, each with its number at that time: the last hinge then took
     /// the number of the removed one.
     std::vector<Index> removed_hinges = {};
@@ -38,7 +38,7 @@ struct ShellChange {
     std::optional<Opening> opening = {};
 
     /// Old vertices that have been moved to another place of the sheet, around which their parents lay.
-    std::vector<Heir> moved = {};
+    std::vector<IndexWithParents> moved = {};
     /// An old face that covers another part of the sheet, or has other corners.
     struct ChangedFace {
         Index face;
@@ -47,7 +47,7 @@ struct ShellChange {
     std::vector<ChangedFace> changed = {};  ///< ascending
     /// Changed and inserted faces, ascending, each with the changed faces of which it inherits a part and the
     /// fraction of their area and mass: the largest part first. The fractions of a changed face sum to 1.
-    std::vector<Heir> reshaped = {};
+    std::vector<IndexWithParents> reshaped = {};
     /// An edge across old faces: flipped, or inserted inside a face.
     struct CrossingEdge {
         Index edge;

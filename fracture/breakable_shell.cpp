@@ -54,7 +54,7 @@ std::vector<Vector3d> joined_axes(const std::vector<SheetInput>& inputs) {
 }  // namespace
 
 BreakableShell::BreakableShell(const std::vector<SheetInput>& inputs)
-    : crack_mesh(joined(inputs)), rest_ancestry(mesh()) {
+    : crack_mesh(joined(inputs)), parents_at_rest(mesh()) {
     Index first_vertex = 0;
     for (const SheetInput& input : inputs) {
         require_thickness(input, &input - inputs.data());
@@ -110,14 +110,14 @@ void BreakableShell::add_coincident_vertices() {
         first = last;
     }
     std::ranges::sort(pairs);
-    for (const auto& [vertex, other] : pairs) lips.lie_together(other, vertex);
+    for (const auto& [vertex, other] : pairs) crack_faces.mark_coincident(other, vertex);
     write_pairs();
 }
 
 void BreakableShell::visit_state(StateVisitor& visit) {
-    auto& [crack_mesh, shell, rest_ancestry, lips, exemptions, materials, strengths, toughnesses,
+    auto& [crack_mesh, shell, parents_at_rest, crack_faces, exemptions, materials, strengths, toughnesses,
            art_directions, waiting] = *this;
-    visit(crack_mesh, shell, rest_ancestry, lips, exemptions, waiting);
+    visit(crack_mesh, shell, parents_at_rest, crack_faces, exemptions, waiting);
 }
 
 TriangleStencil BreakableShell::stencil(Face face) const {
@@ -264,10 +264,10 @@ BreakableShell::Change BreakableShell::fail(std::span<const Edge> edges) {
     change.shell = shell_change(mesh(), topology, shell);
     for (const Edge edge : edges) change.shell.removed_hinges.push_back(remove_hinge_of(shell, number(edge)));
     follow(shell, change.shell);
-    rest_ancestry.follow(mesh(), topology);
+    parents_at_rest.follow(mesh(), topology);
     renumber(topology.changed);
     share_masses(topology);
-    lips.open(topology);
+    crack_faces.open(topology);
     exemptions.follow(topology);
     write_pairs();
     return change;
@@ -279,18 +279,18 @@ void BreakableShell::exempt(std::span<const StartOverlap> overlaps) {
 }
 
 bool BreakableShell::release_apart() {
-    const bool of_lips = lips.release(mesh(), shell, shell.position);
+    const bool of_crack_faces = crack_faces.release(mesh(), shell, shell.position);
     const bool of_start = exemptions.release(mesh(), shell);
-    if (!of_lips && !of_start) return false;
+    if (!of_crack_faces && !of_start) return false;
     write_pairs();
     return true;
 }
 
 void BreakableShell::write_pairs() {
-    shell.twins.clear();
-    lips.write(mesh(), shell);
+    shell.exempt_pairs.clear();
+    crack_faces.write(mesh(), shell);
     exemptions.write(shell);
-    std::ranges::sort(shell.twins);
+    std::ranges::sort(shell.exempt_pairs);
 }
 
 void BreakableShell::renumber(std::span<const Face> faces) {
@@ -317,7 +317,7 @@ void BreakableShell::share_masses(const TopologyChange& change) {
     };
     Vertex shared;  // the vertex whose copies are being processed; they are consecutive
     double footprint_per_mass = 0;
-    for (const Born<Vertex>& copy : change.vertices) {
+    for (const WithParents<Vertex>& copy : change.vertices) {
         if (copy.parent() != shared) {
             shared = copy.parent();
             footprint_per_mass = shell.footprint[number(shared)] / shell.mass[number(shared)];

@@ -8,10 +8,10 @@
 
 #include "core/shell/thickness.h"
 #include "core/state_visitor.h"
+#include "fracture/crack_faces.h"
 #include "fracture/crack_mesh.h"
-#include "fracture/lips.h"
 #include "fracture/mesh_inheritance.h"
-#include "fracture/rest_ancestry.h"
+#include "fracture/rest_parents.h"
 #include "fracture/sheet_input.h"
 #include "fracture/start_exemptions.h"
 
@@ -72,7 +72,7 @@ class BreakableShell {
     const ArtDirection& art_direction(Index sheet) const { return art_directions[sheet]; }
     /// Determines the sheets that must not fail yet at `time` (s): see ArtDirection::after.
     void hold_back(double time);
-    void forbid(Edge edge);  ///< makes an edge unbreakable
+    void make_unbreakable(Edge edge);  ///< makes an edge unbreakable
     double crack_tip_factor(Edge edge) const {
         const Index sheet = sheet_of(edge);
         return toughnesses[sheet].given() ? 1 : strengths[sheet].crack_tip_factor;
@@ -98,7 +98,7 @@ class BreakableShell {
     /// Inserts an edge from `tip` along a ray of the rest shape, and triangulates the sheet around it again
     /// (advance_edge(), CrackMesh::advance()). The edge does not fail yet. Kept in place, besides
     /// options.kept, are crack faces, pinned and scripted vertices, vertices held or guided otherwise than a
-    /// neighbour, and those of keep_place() and keep_border().
+    /// neighbour, and those of lock_vertices() and lock_border().
     ///
     /// The mass of each old face is distributed to its parts by area, so that mass is conserved; a vertex has
     /// a third of its faces' mass. Positions and velocities are interpolated, then the patch gets the rigid
@@ -109,12 +109,12 @@ class BreakableShell {
     /// is none.
     std::optional<Advanced> advance(Vertex tip, const Vector3d& direction, const AdvanceOptions& options);
     /// Makes later calls of advance() keep these vertices at their place of the rest shape.
-    void keep_place(std::span<const Index> vertices);
+    void lock_vertices(std::span<const Index> vertices);
     /// Makes later calls of advance() keep the edges between these faces and others as lines.
-    void keep_border(std::span<const Index> faces);
+    void lock_border(std::span<const Index> faces);
 
     /// Where the mesh lies in the unfractured one.
-    const RestAncestry& ancestry() const { return rest_ancestry; }
+    const RestParents& rest_parents() const { return parents_at_rest; }
     std::span<const Vector3d> axes() const { return shell.face_axis; }                    ///< [F] as in Shell
     double strength_factor(Edge edge) const { return shell.edge_strength_factor[edge]; }  ///< as in Strength
 
@@ -128,7 +128,7 @@ class BreakableShell {
 
   private:
     void add_vertices(const SheetInput& input, Index sheet, Index first_vertex);
-    /// Registers in `lips` the vertices of one sheet that coincide at the start.
+    /// Registers in `crack_faces` the vertices of one sheet that coincide at the start.
     void add_coincident_vertices();
     void add_triangles();
     void add_hinges();
@@ -153,11 +153,11 @@ class BreakableShell {
     void share_masses(const TopologyChange& change);
 
     /// Whether a vertex is held or guided, and a neighbour is not, or otherwise.
-    bool is_held_alone(Vertex vertex) const;
+    bool is_supported_alone(Vertex vertex) const;
     bool overlaps_collider(Vertex vertex) const;  ///< whether it has overlapped one since the start
-    AdvanceOptions with_kept(const AdvanceOptions& options) const;
+    AdvanceOptions with_locks(const AdvanceOptions& options) const;
     ShellChange reshape(const TopologyChange& topology);
-    void write_pairs();  ///< sets shell.twins, shell.near and shell.lips
+    void write_pairs();  ///< sets shell.exempt_pairs, shell.near and shell.crack_faces
     void reshape_faces(const ShellChange& change);
     void reshape_hinges(ShellChange& change);
     void add_footprints(std::span<const Index> faces, const OldSides* old, double sign);
@@ -167,8 +167,8 @@ class BreakableShell {
 
     CrackMesh crack_mesh;
     Shell shell;
-    RestAncestry rest_ancestry;
-    Lips lips;
+    RestParents parents_at_rest;
+    CrackFaces crack_faces;
     StartExemptions exemptions;
     std::vector<Material> materials;     ///< [sheets]
     std::vector<Strength> strengths;     ///< [sheets], without factors

@@ -25,19 +25,19 @@ std::vector<Index> faces_of(const std::vector<ShellChange::ChangedFace>& changed
     return faces;
 }
 
-std::vector<Index> elements_of(const std::vector<Heir>& heirs) {
+std::vector<Index> elements_of(const std::vector<IndexWithParents>& inserted) {
     std::vector<Index> elements;
-    for (const Heir& heir : heirs) elements.push_back(heir.element);
+    for (const IndexWithParents& inserted : inserted) elements.push_back(inserted.element);
     return elements;
 }
 
 }  // namespace
 
-void BreakableShell::keep_place(std::span<const Index> vertices) {
+void BreakableShell::lock_vertices(std::span<const Index> vertices) {
     for (const Index vertex : vertices) shell.kept[vertex] = 1;
 }
 
-void BreakableShell::keep_border(std::span<const Index> faces) {
+void BreakableShell::lock_border(std::span<const Index> faces) {
     std::vector<char> inside(mesh().number_of_faces(), 0);
     for (const Index face : faces) inside[face] = 1;
     for (const Edge edge : mesh().edges())
@@ -51,19 +51,21 @@ bool BreakableShell::overlaps_collider(Vertex vertex) const {
                                [&](const StartDepth& start) { return start.depth[vertex] > 0; });
 }
 
-bool BreakableShell::is_held_alone(Vertex vertex) const {
-    if (shell.guide[vertex] == 0 && shell.held[vertex] == 0) return false;
+bool BreakableShell::is_supported_alone(Vertex vertex) const {
+    if (shell.guide[vertex] == 0 && shell.support_set[vertex] == 0) return false;
     return std::ranges::any_of(mesh().halfedges_around_target(mesh().halfedge(vertex)), [&](Halfedge h) {
         const Vertex other = mesh().source(h);
-        return shell.guide[vertex] != shell.guide[other] || shell.held[vertex] != shell.held[other];
+        return shell.guide[vertex] != shell.guide[other] ||
+               shell.support_set[vertex] != shell.support_set[other];
     });
 }
 
-AdvanceOptions BreakableShell::with_kept(const AdvanceOptions& options) const {
+AdvanceOptions BreakableShell::with_locks(const AdvanceOptions& options) const {
     AdvanceOptions all = options;
-    all.kept.keeps_place = [this, given = options.kept.keeps_place](Vertex v) {
-        return shell.fixed[v] != 0 || shell.script[v] != 0 || shell.kept[v] != 0 || lips.has_twin(v) ||
-               exemptions.has(v) || overlaps_collider(v) || is_held_alone(v) || given(v);
+    all.kept.is_fixed_vertex = [this, given = options.kept.is_fixed_vertex](Vertex v) {
+        return shell.fixed[v] != 0 || shell.script[v] != 0 || shell.kept[v] != 0 ||
+               crack_faces.has_coincident(v) || exemptions.has(v) || overlaps_collider(v) ||
+               is_supported_alone(v) || given(v);
     };
     all.kept.is_line = [this, given = options.kept.is_line](Edge edge) {
         return shell.edge_kept[edge] != 0 || given(edge);
@@ -73,7 +75,7 @@ AdvanceOptions BreakableShell::with_kept(const AdvanceOptions& options) const {
 
 std::optional<BreakableShell::Advanced> BreakableShell::advance(Vertex tip, const Vector3d& direction,
                                                                 const AdvanceOptions& options) {
-    auto edge = crack_mesh.advance(tip, direction, with_kept(options));
+    auto edge = crack_mesh.advance(tip, direction, with_locks(options));
     if (!edge) return std::nullopt;
     Advanced advanced{edge->way, edge->halfedge, edge->direction, edge->off_course, {}};
     TopologyChange& topology = advanced.change.cracks.topology = std::move(edge->change);
@@ -85,17 +87,17 @@ ShellChange BreakableShell::reshape(const TopologyChange& topology) {
     ShellChange change = shell_change(mesh(), topology, shell);
     const OldSides old(mesh(), topology, shell);
     add_footprints(faces_of(change.changed), &old, -1);
-    rest_ancestry.follow(mesh(), topology);
+    parents_at_rest.follow(mesh(), topology);
     Positions position = shell.position, velocity = shell.velocity;
     follow(shell, change);
     for (const auto* vertices : {&topology.vertices, &topology.moved})
-        for (const Born<Vertex>& vertex : *vertices)
+        for (const WithParents<Vertex>& vertex : *vertices)
             shell.rest.col(static_cast<Index>(vertex.element)) = sherd::position(mesh(), vertex.element);
-    for (const Heir& born : change.vertices) shell.footprint[born.element] = 0;
+    for (const IndexWithParents& inserted : change.vertices) shell.footprint[inserted.element] = 0;
     reshape_faces(change);
     reshape_hinges(change);
     add_footprints(elements_of(change.reshaped), nullptr, 1);
-    lips.cut(mesh(), topology);
+    crack_faces.cut(mesh(), topology);
     exemptions.follow(topology);
     write_pairs();
     follow_in_motion(shell, change, position, velocity);
@@ -104,7 +106,7 @@ ShellChange BreakableShell::reshape(const TopologyChange& topology) {
     return change;
 }
 
-void BreakableShell::forbid(Edge edge) {
+void BreakableShell::make_unbreakable(Edge edge) {
     shell.edge_strength_factor[edge] = shell.edge_strength[edge] = never;
 }
 
@@ -132,7 +134,7 @@ void BreakableShell::reshape_faces(const ShellChange& change) {
 
 void BreakableShell::reshape_hinges(ShellChange& change) {
     std::set<Edge> edges;
-    for (const Heir& face : change.reshaped)
+    for (const IndexWithParents& face : change.reshaped)
         for (const Halfedge h :
              mesh().halfedges_around_face(mesh().halfedge(Face(static_cast<unsigned>(face.element)))))
             if (cracks().state(mesh().edge(h)) == EdgeState::interior) edges.insert(mesh().edge(h));

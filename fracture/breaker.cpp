@@ -67,7 +67,7 @@ Measured Breaker::measured(const Stepper& stepper) const {
     if (growth.needed() || shell.yields())
         now.strains.curvature = coupled ? *coupled : stepper.face_curvatures();
     now.hinges =
-        hinge_measures(shell, stepper.position, coupled, now.strains.membrane, stepper.kept_curvatures());
+        hinge_measures(shell, stepper.position, coupled, now.strains.membrane, stepper.plastic_curvatures());
     return now;
 }
 
@@ -77,7 +77,7 @@ std::vector<HingeMeasure> Breaker::measured(std::span<const Edge> edges, const S
         const Index hinge = shell.hinge_of_edge(edge);
         const std::array<Index, 2> faces = faces_of_hinge(shell, hinge);
         measures.push_back(hinge_measure(shell, hinge, stepper.position, stepper.coupled_curvatures(faces),
-                                         stepper.face_strains(faces), stepper.kept_curvatures(faces)));
+                                         stepper.face_strains(faces), stepper.plastic_curvatures(faces)));
     }
     return measures;
 }
@@ -89,19 +89,19 @@ bool Breaker::fails(const Measured& now, const BreakingStage& stage, Stepper& st
 std::vector<CrackStep> Breaker::next_crack_steps(const Measured& now, const BreakingStage& stage,
                                                  Stepper& stepper) {
     if (!growth.needed()) return {};
-    Judged judged{now.strains, now.hinges, stage.begin, stage.end, stage.waited, {}, {}};
-    judged.is_opening = [&stepper](Index edge) { return stepper.held(edge) > 0; };
+    CrackEvaluation evaluation{now.strains, now.hinges, stage.begin, stage.end, stage.waited, {}, {}};
+    evaluation.is_opening = [&stepper](Index edge) { return stepper.cohesive_share(edge) > 0; };
     // In explicit steps, of fast plates, energy oscillates too much; hinges that are not coupled have no
     // usable energy.
     if (stepper.scheme() != Scheme::explicit_differences && stepper.coupled_bending() != nullptr &&
         !growth.tips().empty())
-        judged.equilibrium = {stepper.position, stepper.elastic_gradient(), stepper.lip_forces(),
-                              stepper.coupled_bending()};
-    return growth.next(judged);
+        evaluation.equilibrium = {stepper.position, stepper.elastic_gradient(), stepper.crack_face_forces(),
+                                  stepper.coupled_bending()};
+    return growth.next(evaluation);
 }
 
 std::vector<Edge> Breaker::allowed(std::vector<Edge> edges) {
-    forbidden += keep_small_pieces_on(shell, edges);
+    prevented += prevent_small_pieces(shell, edges);
     std::erase_if(edges, [this](Edge edge) { return !shell.can_fail(edge); });
     return edges;
 }
@@ -180,7 +180,7 @@ std::optional<BreakableShell::Advanced> Breaker::make_edge(const CrackStep& crac
     options.kept.is_line = [&](Edge edge) {
         return std::ranges::find(made_before, edge, &CrackStep::edge) != made_before.end();
     };
-    options.kept.keeps_place = [&](Vertex vertex) {
+    options.kept.is_fixed_vertex = [&](Vertex vertex) {
         return std::ranges::any_of(made_before, [&](const CrackStep& one) {
             return mesh.vertex(one.edge, 0) == vertex || mesh.vertex(one.edge, 1) == vertex;
         });
@@ -230,14 +230,14 @@ void Breaker::record_change(const CrackMesh::Change& change, std::int64_t step) 
         events.failures[first + i].boundary_vertices = change.boundary_vertices[i];
     for (const auto& [edge, created] : change.topology.opened)
         events.openings.push_back({0, step, static_cast<Index>(edge), static_cast<Index>(created)});
-    append_births(change.topology, step, events);
+    append_insertions(change.topology, step, events);
 }
 
 void Breaker::record_fragments(std::int64_t step) {
     const Index before = pieces.count();
     pieces.update(shell.mesh(), shell.face_areas());
     for (Index fragment = before; fragment < pieces.count(); ++fragment)
-        events.births.push_back({0, step, fragment, pieces.parents()[fragment]});
+        events.fragment_splits.push_back({0, step, fragment, pieces.parents()[fragment]});
 }
 
 void Breaker::finish_given(std::int64_t step, double time) {

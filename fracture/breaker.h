@@ -58,7 +58,7 @@ class Breaker {
                      const BreakingStage& stage, Stepper& stepper);
 
     /// Records the measures in a solution, which replace those of an earlier attempt at the step.
-    void record_measures(const HingeMeasures& measures) { hinge_peaks.judge(shell, measures); }
+    void record_measures(const HingeMeasures& measures) { hinge_peaks.record(shell, measures); }
     /// Must be called when a step ends, at `time` (s): completes its events. broken: whether anything failed.
     void finish_step(std::int64_t step, double time, bool broken);
     /// Must be called after break_given().
@@ -72,13 +72,13 @@ class Breaker {
     double residual() const { return residual_now; }                            ///< J, of residual stress
     double residual_taken() const { return residual_at_start - residual_now; }  ///< J, by cracks so far
     /// Number of edges that ArtDirection::smallest has kept from failing.
-    Index forbidden_failures() const { return forbidden; }
+    Index prevented_failures() const { return prevented; }
     /// Number of edges that have failed by toughness, nucleation included.
     Index grown_edges() const { return grown; }
     void visit_state(StateVisitor& visit) {
         auto& [staged, all_gauges, events, residual_at_start, residual_now, shell, growth, pieces,
-               hinge_peaks, forbidden, grown] = *this;
-        visit(all_gauges, events, residual_now, growth, pieces, hinge_peaks, forbidden, grown);
+               hinge_peaks, prevented, grown] = *this;
+        visit(all_gauges, events, residual_now, growth, pieces, hinge_peaks, prevented, grown);
     }
 
   private:
@@ -117,7 +117,7 @@ class Breaker {
     CrackGrowth growth;
     Fragments pieces;
     HingePeaks hinge_peaks;
-    Index forbidden = 0, grown = 0;
+    Index prevented = 0, grown = 0;
 };
 
 }  // namespace sherd

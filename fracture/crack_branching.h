@@ -17,8 +17,8 @@ namespace sherd {
 
 /// Updates the mean release of a tip with its load during the last `waited` s. intensity_ratio: intensity
 /// over toughness.
-void feed(const BreakableShell& shell, GrowingTip& tip, const TipLoad& load, double intensity_ratio,
-          double waited);
+void update_mean_release(const BreakableShell& shell, GrowingTip& tip, const TipLoad& load,
+                         double intensity_ratio, double waited);
 
 /// Whether a tip that propagates at `time` (s) branches. all: all tips.
 bool branches(const BreakableShell& shell, const GrowingTip& tip, const TipLoad& load,
@@ -30,7 +30,7 @@ std::array<Vector3d, 2> branch_directions(const BreakableShell& shell, const Gro
                                           const Vector3d& direction);
 
 /// The other branch of a tip, one of `all`, while both propagate together; else null.
-const GrowingTip* near_twin(const BreakableShell& shell, const GrowingTip& tip,
-                            std::span<const GrowingTip> all);
+const GrowingTip* near_branch(const BreakableShell& shell, const GrowingTip& tip,
+                              std::span<const GrowingTip> all);
 
 }  // namespace sherd

@@ -25,7 +25,7 @@ constexpr double least_recorded = 0.1;
 }  // namespace
 
 CrackGrowth::CrackGrowth(const BreakableShell& shell, MembraneModel membrane, bool timeless)
-    : shell(shell), timeless(timeless), birth(shell, timeless), energy(shell, membrane) {
+    : shell(shell), timeless(timeless), nucleation(shell, timeless), energy(shell, membrane) {
     for (const Index sheet : shell.face_sheet())
         is_needed = is_needed || shell.toughness_of_sheet(sheet).given();
     if (!is_needed) return;
@@ -48,7 +48,7 @@ void CrackGrowth::find_tips() {
     }
 }
 
-TipLoad CrackGrowth::load(const GrowingTip& tip, const Judged& now) {
+TipLoad CrackGrowth::load(const GrowingTip& tip, const CrackEvaluation& now) {
     std::optional<TipLoad> load;
     if (now.equilibrium) load = energy.load(tip, *now.equilibrium);
     if (!load) load = load_by_stress(shell, tip, now.strains);
@@ -56,30 +56,30 @@ TipLoad CrackGrowth::load(const GrowingTip& tip, const Judged& now) {
     return *load;
 }
 
-void CrackGrowth::judge_tips(const Judged& now) {
-    judged.clear();
+void CrackGrowth::evaluate_tips(const CrackEvaluation& now) {
+    evaluated.clear();
     for (GrowingTip& tip : all) {
         TipLoad bears = load(tip, now);
         if (shell.toughness_at(tip.vertex).has_directions()) turn_to_weakest(shell, tip, bears);
         const double ratio = bears.intensity / shell.toughness_towards(Vertex(tip.vertex), bears.direction);
-        judged.push_back({tip.number, bears, ratio, tip.ready <= now.end && !now.is_opening(tip.behind)});
-        if (!timeless) feed(shell, tip, bears, ratio, now.waited);
+        evaluated.push_back({tip.number, bears, ratio, tip.ready <= now.end && !now.is_opening(tip.behind)});
+        if (!timeless) update_mean_release(shell, tip, bears, ratio, now.waited);
     }
 }
 
 double CrackGrowth::joint_ratio(std::size_t tip) const {
-    if (!judged[tip].is_ready) return 0;
-    const GrowingTip* twin = near_twin(shell, all[tip], all);
-    if (twin == nullptr) return judged[tip].ratio;
-    const JudgedTip& other = judged[twin - all.data()];
-    return other.is_ready ? std::hypot(judged[tip].ratio, other.ratio) / std::numbers::sqrt2 : 0;
+    if (!evaluated[tip].is_ready) return 0;
+    const GrowingTip* other_branch = near_branch(shell, all[tip], all);
+    if (other_branch == nullptr) return evaluated[tip].ratio;
+    const EvaluatedTip& other = evaluated[other_branch - all.data()];
+    return other.is_ready ? std::hypot(evaluated[tip].ratio, other.ratio) / std::numbers::sqrt2 : 0;
 }
 
 std::vector<CrackGrowth::Overloaded> CrackGrowth::overloaded() const {
     std::vector<Overloaded> found;
     for (std::size_t i = 0; i < all.size(); ++i)
         if (const double ratio = joint_ratio(i); ratio > 1)
-            found.push_back({i, ratio, judged[i].load.direction});
+            found.push_back({i, ratio, evaluated[i].load.direction});
     std::ranges::stable_sort(found, std::greater(), &Overloaded::ratio);
     const Positions& rest = shell.mechanics().rest;
     std::vector<Overloaded> apart;
@@ -88,7 +88,8 @@ std::vector<CrackGrowth::Overloaded> CrackGrowth::overloaded() const {
         const double reach = apart_edges * edge_length_ahead(shell, tip);
         const bool waits = std::ranges::any_of(apart, [&](const Overloaded& before) {
             const GrowingTip& other = all[before.tip];
-            return other.number != tip.twin && (rest.col(other.vertex) - rest.col(tip.vertex)).norm() < reach;
+            return other.number != tip.other_branch &&
+                   (rest.col(other.vertex) - rest.col(tip.vertex)).norm() < reach;
         });
         if (!waits) apart.push_back(one);
     }
@@ -163,9 +164,9 @@ bool CrackGrowth::take(const BreakableShell::Advanced& made, double begin, Crack
     return true;
 }
 
-std::vector<Vector3d> CrackGrowth::ways_of(const Overloaded& one, double end) {
+std::vector<Vector3d> CrackGrowth::directions_of(const Overloaded& one, double end) {
     GrowingTip& tip = all[one.tip];
-    if (timeless || !branches(shell, tip, judged[one.tip].load, all, end)) return {one.direction};
+    if (timeless || !branches(shell, tip, evaluated[one.tip].load, all, end)) return {one.direction};
     tip.on_path = shell.mechanics().rest.col(tip.vertex);
     tip.release = 0;
     const std::array<Vector3d, 2> both = branch_directions(shell, tip, one.direction);
@@ -177,15 +178,15 @@ std::optional<CrackStep> CrackGrowth::step_of(const Overloaded& one, double begi
     return along_ray(one);
 }
 
-std::vector<CrackStep> CrackGrowth::next(const Judged& now) {
+std::vector<CrackStep> CrackGrowth::next(const CrackEvaluation& now) {
     std::vector<CrackStep> steps;
     if (!is_needed) return steps;
     // Nucleation comes first: its edge belongs to the mesh before any insertion.
-    if (const std::optional<Edge> born = birth.next(now.strains, now.measures, all, now.waited))
-        steps.push_back({{}, *born});
-    judge_tips(now);
+    if (const std::optional<Edge> inserted = nucleation.next(now.strains, now.measures, all, now.waited))
+        steps.push_back({{}, *inserted});
+    evaluate_tips(now);
     for (const Overloaded& one : overloaded()) {
-        const std::vector<Vector3d> ways = ways_of(one, now.end);
+        const std::vector<Vector3d> ways = directions_of(one, now.end);
         for (const Vector3d& way : ways) {
             std::optional<CrackStep> step = step_of({one.tip, one.ratio, way}, now.begin);
             if (!step) continue;
@@ -210,9 +211,9 @@ void CrackGrowth::add_tip(Vertex vertex, const Vector3d& direction, Edge behind,
 
 void CrackGrowth::add_branch(GrowingTip tip) {
     const auto first = std::ranges::find(all, tip.number, &GrowingTip::number);
-    tip.twin = tip.number;
+    tip.other_branch = tip.number;
     tip.number = numbers++;
-    first->twin = tip.number;
+    first->other_branch = tip.number;
     all.push_back(tip);
 }
 
@@ -244,7 +245,7 @@ void CrackGrowth::done(std::span<const CrackStep> steps, double end) {
 std::vector<TipRecord> CrackGrowth::records(const Positions& x, double time) const {
     const Shell& mechanics = shell.mechanics();
     std::vector<TipRecord> records;
-    for (const auto& [number, load, ratio, is_ready] : judged) {
+    for (const auto& [number, load, ratio, is_ready] : evaluated) {
         const auto now = std::ranges::find(all, number, &GrowingTip::number);
         if (now == all.end()) continue;
         const double needed = shell.toughness_towards(Vertex(now->vertex), now->direction);

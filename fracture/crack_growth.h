@@ -4,14 +4,14 @@
 #include <functional>
 
 #include "core/state_visitor.h"
-#include "fracture/crack_birth.h"
+#include "fracture/crack_nucleation.h"
 #include "fracture/events.h"
 #include "fracture/tip_energy.h"
 
 namespace sherd {
 
 /// The state that cracks are evaluated in: a solution of the sheets in a step from `begin` to `end` (s).
-struct Judged {
+struct CrackEvaluation {
     const FaceStrains& strains;
     const HingeMeasures& measures;
     double begin, end;
@@ -31,7 +31,7 @@ struct CrackStep {
     bool is_branch = false;           ///< whether this is the second branch of the tip, with a new tip
 };
 
-/// The cracks of sheets that have a toughness: where they nucleate (CrackBirth) and propagate.
+/// The cracks of sheets that have a toughness: where they nucleate (CrackNucleation) and propagate.
 ///
 /// A tip propagates where its stress intensity exceeds the toughness, by the energy that it releases
 /// (TipEnergy) or by the stress ahead of it (load_by_stress()); not faster than the speed limit, not before
@@ -48,7 +48,7 @@ class CrackGrowth {
 
     /// The next edges of all cracks: at most one nucleation, and one edge for each tip, or two where it
     /// branches. Tips that meet may have the same edge.
-    std::vector<CrackStep> next(const Judged& now);
+    std::vector<CrackStep> next(const CrackEvaluation& now);
     /// Enters the edge that has been inserted for `step`, in a time step that began at `begin` (s). Returns
     /// false if its tip cannot propagate along it.
     bool take(const BreakableShell::Advanced& made, double begin, CrackStep& step) const;
@@ -66,14 +66,14 @@ class CrackGrowth {
     std::vector<TipRecord> records(const Positions& x, double time) const;
     /// The energy of tips is not stored: it follows from the mesh.
     void visit_state(StateVisitor& visit) {
-        auto& [shell, timeless, is_needed, birth, energy, all, judged, numbers] = *this;
-        visit(birth, all, judged, numbers);
+        auto& [shell, timeless, is_needed, nucleation, energy, all, evaluated, numbers] = *this;
+        visit(nucleation, all, evaluated, numbers);
         if (visit.reads()) mesh_changed();
     }
 
   private:
     /// A tip at its last evaluation.
-    struct JudgedTip {
+    struct EvaluatedTip {
         Index number;  ///< GrowingTip::number
         TipLoad load;
         double ratio;   ///< intensity over toughness
@@ -84,8 +84,8 @@ class CrackGrowth {
         double ratio;  ///< intensity over toughness
         Vector3d direction;
     };
-    TipLoad load(const GrowingTip& tip, const Judged& now);
-    void judge_tips(const Judged& now);
+    TipLoad load(const GrowingTip& tip, const CrackEvaluation& now);
+    void evaluate_tips(const CrackEvaluation& now);
     /// Intensity over toughness of a tip that may propagate, the root mean square with that of a near branch;
     /// else 0.
     double joint_ratio(std::size_t tip) const;
@@ -93,7 +93,7 @@ class CrackGrowth {
     std::vector<Overloaded> overloaded() const;
     /// The directions in which a tip propagates at `end` (s): two where it branches. Branching starts a path
     /// for each branch and resets the mean release.
-    std::vector<Vector3d> ways_of(const Overloaded& one, double end);
+    std::vector<Vector3d> directions_of(const Overloaded& one, double end);
     /// The step of a tip that propagates, as its sheet's CrackPath says.
     std::optional<CrackStep> step_of(const Overloaded& one, double begin) const;
     /// The step along the edge nearest to the path of a tip; nothing where there is none.
@@ -110,10 +110,10 @@ class CrackGrowth {
 
     const BreakableShell& shell;
     bool timeless, is_needed = false;
-    CrackBirth birth;
+    CrackNucleation nucleation;
     TipEnergy energy;
     std::vector<GrowingTip> all;
-    std::vector<JudgedTip> judged;
+    std::vector<EvaluatedTip> evaluated;
     Index numbers = 0;  ///< count of all tips so far
 };
 

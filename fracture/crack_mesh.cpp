@@ -61,8 +61,8 @@ bool CrackMesh::is_cracked(Vertex vertex) const {
 std::optional<AdvancedEdge> CrackMesh::advance(Vertex tip, const Eigen::Vector3d& direction,
                                                const AdvanceOptions& options) {
     AdvanceOptions all = options;
-    all.kept.keeps_place = [&](Vertex vertex) {
-        return is_cracked(vertex) || options.kept.keeps_place(vertex);
+    all.kept.is_fixed_vertex = [&](Vertex vertex) {
+        return is_cracked(vertex) || options.kept.is_fixed_vertex(vertex);
     };
     all.kept.is_line = [&](Edge edge) {
         return states[edge] != EdgeState::interior || options.kept.is_line(edge);
@@ -73,33 +73,33 @@ std::optional<AdvancedEdge> CrackMesh::advance(Vertex tip, const Eigen::Vector3d
 }
 
 void CrackMesh::follow(const TopologyChange& change) {
-    for (const Born<Vertex>& vertex : change.vertices) vertex_origin.push_back(vertex.element);
-    for (const Born<Edge>& edge : change.edges) {
+    for (const WithParents<Vertex>& vertex : change.vertices) vertex_origin.push_back(vertex.element);
+    for (const WithParents<Edge>& edge : change.edges) {
         states.push_back(edge.is_copy() ? states[edge.parent()] : EdgeState::interior);
         outline.push_back(edge.is_copy() ? outline[edge.parent()] : 0);
         edge_origin.push_back(edge.element);
     }
-    for (const Born<Edge>& edge : change.edges)
+    for (const WithParents<Edge>& edge : change.edges)
         if (edge.is_copy() && states[edge.element] != EdgeState::interior && !is_outline(edge.element))
             share_origin(edge);
-    for (const Born<Vertex>& vertex : change.vertices)
+    for (const WithParents<Vertex>& vertex : change.vertices)
         if (is_cracked(vertex.element)) to_open.push_back(vertex.element);
 }
 
 // When an edge of a crack face is split, the half that still meets the opposite face keeps the common
 // original.
-void CrackMesh::share_origin(const Born<Edge>& born) {
-    const Edge half = born.parent();
-    const auto meets_other_lip = [&](Vertex end) {
+void CrackMesh::share_origin(const WithParents<Edge>& inserted) {
+    const Edge half = inserted.parent();
+    const auto meets_other_crack_face = [&](Vertex end) {
         const auto around = halfedges.halfedges_around_target(halfedges.halfedge(end));
         return std::any_of(around.begin(), around.end(), [&](Halfedge h) {
             const Edge edge = halfedges.edge(h);
-            return edge != half && edge != born.element && original(edge) == original(half);
+            return edge != half && edge != inserted.element && original(edge) == original(half);
         });
     };
-    if (meets_other_lip(halfedges.vertex(born.element, 0)) ||
-        meets_other_lip(halfedges.vertex(born.element, 1)))
-        std::swap(edge_origin[half], edge_origin[born.element]);
+    if (meets_other_crack_face(halfedges.vertex(inserted.element, 0)) ||
+        meets_other_crack_face(halfedges.vertex(inserted.element, 1)))
+        std::swap(edge_origin[half], edge_origin[inserted.element]);
 }
 
 CrackMesh::Change CrackMesh::fail(std::span<const Edge> edges) {
@@ -123,8 +123,9 @@ CrackMesh::Change CrackMesh::fail(std::span<const Edge> edges) {
     states.resize(halfedges.number_of_edges(), EdgeState::boundary);
     for (const auto& [edge, created] : change.topology.opened) states[edge] = EdgeState::boundary;
     outline.resize(halfedges.number_of_edges(), 0);
-    for (const Born<Edge>& edge : change.topology.edges) edge_origin.push_back(original(edge.parent()));
-    for (const Born<Vertex>& vertex : change.topology.vertices)
+    for (const WithParents<Edge>& edge : change.topology.edges)
+        edge_origin.push_back(original(edge.parent()));
+    for (const WithParents<Vertex>& vertex : change.topology.vertices)
         vertex_origin.push_back(original(vertex.parent()));
     return change;
 }

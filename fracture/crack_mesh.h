@@ -53,7 +53,7 @@ class CrackMesh {
   private:
     int boundary_vertices(Edge edge) const;
     void follow(const TopologyChange& change);
-    void share_origin(const Born<Edge>& born);
+    void share_origin(const WithParents<Edge>& inserted);
 
     Mesh halfedges;
     std::vector<EdgeState> states;

@@ -11,23 +11,23 @@ void set_time(CrackEvents& events, std::int64_t step, double time) {
     });
 }
 
-void append_births(const TopologyChange& change, std::int64_t step, CrackEvents& events) {
-    for (const Born<Vertex>& vertex : change.vertices) {
+void append_insertions(const TopologyChange& change, std::int64_t step, CrackEvents& events) {
+    for (const WithParents<Vertex>& vertex : change.vertices) {
         const auto created = static_cast<Index>(vertex.element);
         if (vertex.is_copy()) {
             events.splits.push_back({0, step, static_cast<Index>(vertex.parent()), created});
             continue;
         }
-        VertexBirth birth{0, step, created, {}, {}};
-        birth.parents.fill(static_cast<Index>(vertex.parents.front().element));
+        VertexInsertion insertion{0, step, created, {}, {}};
+        insertion.parents.fill(static_cast<Index>(vertex.parents.front().element));
         for (std::size_t i = 0; i < vertex.parents.size(); ++i) {
-            birth.parents[i] = static_cast<Index>(vertex.parents[i].element);
-            birth.weights[i] = vertex.parents[i].weight;
+            insertion.parents[i] = static_cast<Index>(vertex.parents[i].element);
+            insertion.weights[i] = vertex.parents[i].weight;
         }
-        events.vertex_births.push_back(birth);
+        events.vertex_insertions.push_back(insertion);
     }
-    for (const Born<Face>& face : change.faces)
-        events.face_births.push_back(
+    for (const WithParents<Face>& face : change.faces)
+        events.face_insertions.push_back(
             {0, step, static_cast<Index>(face.element), static_cast<Index>(face.parents.front().element)});
 }
 

@@ -40,7 +40,7 @@ struct VertexSplit {
 };
 
 /// A new fragment. Fragments that exist from the beginning have no event.
-struct FragmentBirth {
+struct FragmentSplit {
     double time = 0;
     std::int64_t step = 0;
     Index fragment = 0;
@@ -48,7 +48,7 @@ struct FragmentBirth {
 };
 
 /// A vertex that was inserted in an edge or a face.
-struct VertexBirth {
+struct VertexInsertion {
     double time = 0;
     std::int64_t step = 0;
     Index created = 0;
@@ -57,7 +57,7 @@ struct VertexBirth {
 };
 
 /// A face that was inserted when others were split: `parent` is the one that covers most of it.
-struct FaceBirth {
+struct FaceInsertion {
     double time = 0;
     std::int64_t step = 0;
     Index created = 0;
@@ -85,14 +85,14 @@ struct CrackEvents {
     std::vector<EdgeFailure> failures;
     std::vector<EdgeOpening> openings;
     std::vector<VertexSplit> splits;
-    std::vector<FragmentBirth> births;
-    std::vector<VertexBirth> vertex_births;
-    std::vector<FaceBirth> face_births;
+    std::vector<FragmentSplit> fragment_splits;
+    std::vector<VertexInsertion> vertex_insertions;
+    std::vector<FaceInsertion> face_insertions;
     std::vector<TipRecord> tips;
 
     void visit_state(StateVisitor& visit) {
-        auto& [failures, openings, splits, births, vertex_births, face_births, tips] = *this;
-        visit(failures, openings, splits, births, vertex_births, face_births, tips);
+        auto& [failures, openings, splits, fragment_splits, vertex_insertions, face_insertions, tips] = *this;
+        visit(failures, openings, splits, fragment_splits, vertex_insertions, face_insertions, tips);
     }
 };
 
@@ -102,9 +102,9 @@ void visit_kinds(Visit visit) {
     visit(&CrackEvents::failures);
     visit(&CrackEvents::openings);
     visit(&CrackEvents::splits);
-    visit(&CrackEvents::births);
-    visit(&CrackEvents::vertex_births);
-    visit(&CrackEvents::face_births);
+    visit(&CrackEvents::fragment_splits);
+    visit(&CrackEvents::vertex_insertions);
+    visit(&CrackEvents::face_insertions);
     visit(&CrackEvents::tips);
 }
 
@@ -113,7 +113,7 @@ void set_time(CrackEvents& events, std::int64_t step, double time);
 
 /// Appends the new elements of a change of the mesh in step `step`: copies of vertices, inserted vertices and
 /// faces.
-void append_births(const TopologyChange& change, std::int64_t step, CrackEvents& events);
+void append_insertions(const TopologyChange& change, std::int64_t step, CrackEvents& events);
 
 /// Appends later events.
 void append(CrackEvents& events, const CrackEvents& later);

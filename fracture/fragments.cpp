@@ -11,7 +11,7 @@ Fragments::Fragments(const Mesh& mesh, std::span<const double> areas)
 }
 
 void Fragments::follow(const TopologyChange& change) {
-    for (const Born<Face>& face : change.faces)
+    for (const WithParents<Face>& face : change.faces)
         fragment_of_face.push_back(fragment_of_face[face.parents.front().element]);
 }
 
@@ -23,15 +23,15 @@ void Fragments::update(const Mesh& mesh, std::span<const double> areas) {
         area[pieces.of_face[f]] += areas[f];
         former[pieces.of_face[f]] = fragment_of_face[f];
     }
-    std::vector<Index> heir(parent.size(), -1);  // piece that keeps the fragment's number
+    std::vector<Index> inserted(parent.size(), -1);  // piece that keeps the fragment's number
     for (Index piece = 0; piece < pieces.count; ++piece)
         if (const Index from = former[piece]; from >= 0)
-            if (heir[from] < 0 || area[piece] > area[heir[from]]) heir[from] = piece;
+            if (inserted[from] < 0 || area[piece] > area[inserted[from]]) inserted[from] = piece;
 
     std::vector<Index> number(pieces.count);
     for (Index piece = 0; piece < pieces.count; ++piece) {
         const Index from = former[piece];
-        if (from >= 0 && heir[from] == piece) {
+        if (from >= 0 && inserted[from] == piece) {
             number[piece] = from;
         } else {
             number[piece] = count();

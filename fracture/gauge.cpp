@@ -63,7 +63,7 @@ void follow(const Shell& shell, const ShellChange& change, std::span<Gauge> gaug
         std::vector<Index> parts{gauge.face};
         follow_faces(change, parts);
         for (const auto& [face, parents] : change.reshaped)
-            if (std::ranges::find(parents, gauge.face, &Heir::Parent::element) != parents.end())
+            if (std::ranges::find(parents, gauge.face, &IndexWithParents::Parent::element) != parents.end())
                 parts.push_back(face);
         double deepest = -std::numeric_limits<double>::infinity();
         for (const Index part : parts) {

@@ -15,7 +15,7 @@ struct GrowingTip {
     double ready = 0;                        ///< s, earliest time of propagation, by the speed limit
     Index behind = -1;                       ///< edge that failed last and must have opened first
     Index number = 0;                        ///< unique among all tips so far
-    Index twin = -1;                         ///< number of the other tip of the last branching; -1: none
+    Index other_branch = -1;                 ///< number of the other tip of the last branching; -1: none
     double release = 0;                      ///< mean of G / G_c over the last edges
     double stride = 0;                       ///< m, length of its last edge along the path
     double since = 0;                        ///< s, time at which its last edge began

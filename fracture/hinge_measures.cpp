@@ -67,14 +67,14 @@ Eigen::Matrix3Xd own_curvatures(const BreakableShell& shell, const std::array<In
 /// strain and curvature, N/m and N/m^2, the third component doubled.
 struct FaceColumns {
     const Eigen::Matrix3Xd &strain, &curvature;
-    const std::optional<Eigen::Matrix3Xd>& kept;
+    const std::optional<Eigen::Matrix3Xd>& plastic;
     Eigen::Matrix3Xd force, moment;
 
     FaceColumns(const Shell& shell, std::span<const Index> faces, const Eigen::Matrix3Xd& strain,
-                const Eigen::Matrix3Xd& curvature, const std::optional<Eigen::Matrix3Xd>& kept)
+                const Eigen::Matrix3Xd& curvature, const std::optional<Eigen::Matrix3Xd>& plastic)
         : strain(strain),
           curvature(curvature),
-          kept(kept),
+          plastic(plastic),
           force(3, strain.cols()),
           moment(3, strain.cols()) {
         for (Eigen::Index i = 0; i < strain.cols(); ++i) {
@@ -98,7 +98,7 @@ HingeMeasure measure_of(const Shell& shell, const HingeStencil& hinge,
         const Vector3d part = across(side_normal(shell.triangles[face].membrane, corner));
         stretch += 0.5 * part.dot(faces.strain.col(at[side]));
         bend += 0.5 * part.dot(faces.curvature.col(at[side]));
-        if (faces.kept) bend += 0.5 * part.dot(faces.kept->col(at[side]));
+        if (faces.plastic) bend += 0.5 * part.dot(faces.plastic->col(at[side]));
         pull += 0.5 * part.dot(faces.force.col(at[side])) / thickness;
         bending_stress += 0.5 * part.dot(faces.moment.col(at[side])) / 2;
     }
@@ -130,7 +130,7 @@ double HingeMeasure::of(Measure measure) const {
 HingeMeasures hinge_measures(const BreakableShell& shell, const Positions& x,
                              const std::optional<Eigen::Matrix3Xd>& curvatures,
                              const std::optional<Eigen::Matrix3Xd>& strains,
-                             const std::optional<Eigen::Matrix3Xd>& kept) {
+                             const std::optional<Eigen::Matrix3Xd>& plastic) {
     const Shell& mechanics = shell.mechanics();
     std::vector<std::array<TriangleEdge, 2>> sides;
     sides.reserve(mechanics.hinges.size());
@@ -140,7 +140,7 @@ HingeMeasures hinge_measures(const BreakableShell& shell, const Positions& x,
     const Eigen::Matrix3Xd curvature =
         curvatures ? *curvatures : curvatures_of_hinges(mechanics, sides, bending, AngleShare::equal);
     const FaceColumns faces(mechanics, numbers_up_to(static_cast<Index>(green.cols())), green, curvature,
-                            kept);
+                            plastic);
 
     HingeMeasures measures;
     for (VectorXd HingeMeasures::*member :
@@ -165,11 +165,11 @@ std::array<Index, 2> faces_of_hinge(const BreakableShell& shell, Index hinge) {
 
 HingeMeasure hinge_measure(const BreakableShell& shell, Index hinge, const Positions& x,
                            const std::optional<Eigen::Matrix3Xd>& curvatures, const Eigen::Matrix3Xd& strains,
-                           const std::optional<Eigen::Matrix3Xd>& kept) {
+                           const std::optional<Eigen::Matrix3Xd>& plastic) {
     const std::array<Index, 2> faces = faces_of_hinge(shell, hinge);
     const Eigen::Matrix3Xd curvature = curvatures ? *curvatures : own_curvatures(shell, faces, x);
     return measure_of(shell.mechanics(), shell.mechanics().hinges[hinge], sides_of(shell, hinge), {0, 1},
-                      FaceColumns(shell.mechanics(), faces, strains, curvature, kept),
+                      FaceColumns(shell.mechanics(), faces, strains, curvature, plastic),
                       hinge_strain_at(shell, hinge, x));
 }
 

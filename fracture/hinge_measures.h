@@ -42,18 +42,18 @@ struct HingeMeasures {
 /// the changes of the angles of each face's own hinges, as for uncoupled hinges. In pure bending `strain` is
 /// a curvature, like the paper's measure; unlike the paper's, it includes in-plane stretch, and the bending
 /// of a face as a whole. strains: the faces' Green strain, [3, F] (ShellEnergies::face_strains()); without
-/// them it follows from the faces' corners. kept: plastic part of the faces' curvature
-/// (ShellEnergies::kept_curvatures()), which adds to the strain and not to the stress. x: [3, V] m.
+/// them it follows from the faces' corners. plastic: plastic part of the faces' curvature
+/// (ShellEnergies::plastic_curvatures()), which adds to the strain and not to the stress. x: [3, V] m.
 HingeMeasures hinge_measures(const BreakableShell& shell, const Positions& x,
                              const std::optional<Eigen::Matrix3Xd>& curvatures = {},
                              const std::optional<Eigen::Matrix3Xd>& strains = {},
-                             const std::optional<Eigen::Matrix3Xd>& kept = {});
+                             const std::optional<Eigen::Matrix3Xd>& plastic = {});
 
 /// The two faces of a hinge: T0 and T1.
 std::array<Index, 2> faces_of_hinge(const BreakableShell& shell, Index hinge);
-/// hinge_measures() of a single hinge, to the last bit. curvatures, strains, kept: [3, 2], of its faces.
+/// hinge_measures() of a single hinge, to the last bit. curvatures, strains, plastic: [3, 2], of its faces.
 HingeMeasure hinge_measure(const BreakableShell& shell, Index hinge, const Positions& x,
                            const std::optional<Eigen::Matrix3Xd>& curvatures, const Eigen::Matrix3Xd& strains,
-                           const std::optional<Eigen::Matrix3Xd>& kept);
+                           const std::optional<Eigen::Matrix3Xd>& plastic);
 
 }  // namespace sherd

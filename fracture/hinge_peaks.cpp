@@ -11,7 +11,7 @@ constexpr VectorXd HingeMeasures::*all[] = {&HingeMeasures::bending, &HingeMeasu
 
 }  // namespace
 
-void HingePeaks::judge(const BreakableShell& shell, const HingeMeasures& measures) {
+void HingePeaks::record(const BreakableShell& shell, const HingeMeasures& measures) {
     // The list ends with the last edge that has a hinge: most appended edges are crack faces, without one.
     Eigen::Index edges = peaks.strain.size();
     if (edges == 0) edges = static_cast<Eigen::Index>(shell.mesh().number_of_edges());

@@ -10,7 +10,7 @@ namespace sherd {
 class HingePeaks {
   public:
     /// Records the measures in the step that is being solved. They replace those of an earlier attempt at it.
-    void judge(const BreakableShell& shell, const HingeMeasures& measures);
+    void record(const BreakableShell& shell, const HingeMeasures& measures);
     /// Makes the recorded measures final, when the step is finished.
     void finish_step();
 

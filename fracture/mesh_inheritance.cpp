@@ -8,9 +8,9 @@ namespace sherd {
 namespace {
 
 template <class Element>
-std::vector<Heir> heirs(const std::vector<Born<Element>>& born) {
-    std::vector<Heir> all;
-    for (const auto& [element, parents] : born) {
+std::vector<IndexWithParents> inserted(const std::vector<WithParents<Element>>& inserted) {
+    std::vector<IndexWithParents> all;
+    for (const auto& [element, parents] : inserted) {
         all.push_back({static_cast<Index>(element), {}});
         for (const auto& [parent, weight] : parents)
             all.back().parents.push_back({static_cast<Index>(parent), weight});
@@ -35,7 +35,7 @@ std::vector<ShellChange::CrossingEdge> crossing_edges(const TopologyChange& topo
         for (const Edge side : old.around(edge)) crossing.back().around.push_back(static_cast<Index>(side));
     };
     for (const Edge edge : topology.flipped) add(edge);
-    for (const Born<Edge>& edge : topology.edges)
+    for (const WithParents<Edge>& edge : topology.edges)
         if (!edge.is_copy()) add(edge.element);
     return crossing;
 }
@@ -53,10 +53,10 @@ std::array<Index, 3> face_vertices(const Mesh& mesh, Face face) {
 }
 
 ShellChange shell_change(const Mesh& mesh, const TopologyChange& topology, const Shell& before) {
-    ShellChange change{.vertices = heirs(topology.vertices),
-                       .edges = heirs(topology.edges),
-                       .faces = heirs(topology.faces),
-                       .moved = heirs(topology.moved)};
+    ShellChange change{.vertices = inserted(topology.vertices),
+                       .edges = inserted(topology.edges),
+                       .faces = inserted(topology.faces),
+                       .moved = inserted(topology.moved)};
     if (topology.reshaped.empty()) return change;
     for (const Face face : topology.changed)
         change.changed.push_back({static_cast<Index>(face), before.triangles[face].vertices});
@@ -90,9 +90,9 @@ Edge OldSides::between(Index from, Index to) const {
     };
     const Vertex a(static_cast<unsigned>(from)), b(static_cast<unsigned>(to));
     if (const Edge whole = old_edge(a, b); whole.is_valid()) return whole;
-    for (const auto& [born, parents] : topology.vertices)
+    for (const auto& [inserted, parents] : topology.vertices)
         for (const Vertex end : {a, b})
-            if (const Edge half = old_edge(end, born); half.is_valid()) return half;
+            if (const Edge half = old_edge(end, inserted); half.is_valid()) return half;
     return Edge();
 }
 

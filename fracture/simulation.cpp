@@ -9,7 +9,7 @@
 #include "core/contact/colliders/start_depth.h"
 #include "core/shell/mean_edge_length.h"
 #include "core/shell/position_spacing.h"
-#include "fracture/kept_loads.h"
+#include "fracture/load_locks.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -20,13 +20,13 @@ namespace {
 constexpr int iterations_between_stages = 10;
 constexpr double no_freedom = 1e-9;  // projections below this are round-off
 
-/// Returns Snapshot::edge_held, [E].
-std::vector<double> held_shares(std::span<const EdgeState> states, const Stepper& stepper) {
+/// Returns Snapshot::edge_cohesive_share, [E].
+std::vector<double> cohesive_shares(std::span<const EdgeState> states, const Stepper& stepper) {
     std::vector<double> shares(states.size(), 0);
     bool any = false;
     for (std::size_t e = 0; e < states.size(); ++e) {
         if (states[e] == EdgeState::interior) continue;
-        shares[e] = stepper.held(static_cast<Index>(e));
+        shares[e] = stepper.cohesive_share(static_cast<Index>(e));
         any |= shares[e] > 0;
     }
     return any ? shares : std::vector<double>();
@@ -55,12 +55,12 @@ std::size_t number_in(std::vector<T>& all, const T& one) {
 }
 
 /// Returns the sheets with their held vertices fixed or guided.
-BreakableShell supported(BreakableShell sheets, const std::vector<HeldVertex>& held) {
+BreakableShell supported(BreakableShell sheets, const std::vector<SupportedVertex>& supported_vertices) {
     Shell& shell = sheets.mechanics();
-    for (const auto& [vertex, by] : held) {
-        shell.held[vertex] = static_cast<Index>(number_in(shell.holds, by));
+    for (const auto& [vertex, by] : supported_vertices) {
+        shell.support_set[vertex] = static_cast<Index>(number_in(shell.support_sets, by));
         Matrix3d freedom = Matrix3d::Identity();
-        for (const Hold& hold : by) freedom -= hold.directions;
+        for (const SupportDirections& hold : by) freedom -= hold.directions;
         if (freedom.isZero(no_freedom)) {
             shell.fixed[vertex] = 1;
             shell.velocity.col(vertex).setZero();
@@ -74,8 +74,8 @@ BreakableShell supported(BreakableShell sheets, const std::vector<HeldVertex>& h
 
 /// Returns the sheets with their supports, and with the geometry of loads protected from changes of the mesh.
 BreakableShell prepared(BreakableShell sheets, const SimulationOptions& options) {
-    sheets = supported(std::move(sheets), options.held);
-    keep_loads(sheets, options.stepper.shell);
+    sheets = supported(std::move(sheets), options.supported_vertices);
+    lock_load_geometry(sheets, options.stepper.shell);
     return sheets;
 }
 
@@ -149,19 +149,19 @@ Urgency Simulation::evaluate(const Measured& now, StepReport& report) {
     const YieldPeak yielding = yield_peak(breakable, now.strains);
     report.peak_yield = yielding.ratio;
     report.yielding = yielding.place;
-    const Urgency urgency = judge(now, report);
+    const Urgency urgency = urgency_after(now, report);
     if (urgency == Urgency::none) breaker.record_measures(now.hinges);
     return urgency;
 }
 
-Urgency Simulation::judge(const Measured& now, const StepReport& report) {
-    if (!policy.can_go_explicit()) return Urgency::none;
+Urgency Simulation::urgency_after(const Measured& now, const StepReport& report) {
+    if (!policy.can_switch_to_explicit()) return Urgency::none;
     const PotentialEnergies stored = stepper->energies();
     StepActivity solved{report.peak_overload, breaker.fails(now, this_stage(report), *stepper),
-                        stored.contact, stepper->taken_by_scheme(),
+                        stored.contact, stepper->dissipated_by_scheme(),
                         kinetic_energy(breakable.mechanics()) + stored.stored()};
     for (const RigidBody& body : bodies()) solved.energy += body.kinetic_energy();
-    return policy.judge(solved);
+    return policy.urgency_of(solved);
 }
 
 Attempt Simulation::break_in_stages(Measured now, StepReport& report) {
@@ -212,7 +212,7 @@ std::string Simulation::failure(const Attempt& last) const {
     text << where();
     if (last.result.outcome == Outcome::failed) {
         text << last.result.why;
-        if (last.urgency == Urgency::overwhelmed && options.alternates)
+        if (last.urgency == Urgency::explicit_failed && options.alternates)
             text << "; and implicit steps from there cannot be solved, either";
         return text.str();
     }
@@ -266,7 +266,7 @@ void Simulation::report_state(StepReport& report) {
     report_energies(report);
     report_touch(report);
     report_gauges(report);
-    report.lip_overlap = stepper->lip_overlap();
+    report.crack_face_overlap = stepper->crack_face_overlap();
     report.exempt_pairs = static_cast<Index>(breakable.exempt_pairs());
     report.fragments = breaker.fragments().count();
     report.is_explicit = policy.is_explicit();
@@ -340,7 +340,7 @@ Snapshot Simulation::snapshot(const FaceFieldChoice& fields) const {
     Snapshot snapshot = take_snapshot(breakable, breaker.fragments().of_face());
     snapshot.step = steps;
     snapshot.time = time();
-    snapshot.edge_held = held_shares(snapshot.edge_state, *stepper);
+    snapshot.edge_cohesive_share = cohesive_shares(snapshot.edge_state, *stepper);
     if (fields.any())
         snapshot.fields =
             face_fields(breakable.mechanics(), stepper->face_strains(), stepper->face_curvatures(), fields);

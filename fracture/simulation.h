@@ -56,7 +56,7 @@ class Simulation {
     const std::vector<Gauge>& gauges() const { return breaker.gauges(); }
     const HingePeaks& peaks() const { return breaker.peaks(); }
     /// Number of edges that ArtDirection::smallest has kept from failing.
-    Index forbidden_failures() const { return breaker.forbidden_failures(); }
+    Index prevented_failures() const { return breaker.prevented_failures(); }
     /// Number of edges that have failed by toughness, nucleation included.
     Index grown_edges() const { return breaker.grown_edges(); }
     /// [O] and [B]: whether anything was in contact with the obstacle, or the body, at the end of a step so
@@ -77,7 +77,7 @@ class Simulation {
     /// Records the measures and peaks of a solution. Returns the reason for which the step must be made
     /// otherwise, if there is one, as where it must be made of explicit steps.
     Urgency evaluate(const Measured& now, StepReport& report);
-    Urgency judge(const Measured& now, const StepReport& report);
+    Urgency urgency_after(const Measured& now, const StepReport& report);
     /// Breaks and solves again until nothing is overloaded. Returns the result of the last solution.
     Attempt break_in_stages(Measured now, StepReport& report);
     void break_at_once(const Measured& now, StepReport& report);

@@ -30,8 +30,8 @@ SurfaceLook recorded_look(const Mesh& mesh, std::span<const Index> original, con
 
 }  // namespace
 
-RestMesh unbroken_mesh(Positions position, std::vector<std::array<Index, 3>> faces, std::vector<double> area,
-                       std::vector<double> thickness) {
+RestMesh unfractured_mesh(Positions position, std::vector<std::array<Index, 3>> faces,
+                          std::vector<double> area, std::vector<double> thickness) {
     RestMesh rest{.position = std::move(position),
                   .faces = std::move(faces),
                   .area = std::move(area),
@@ -39,22 +39,22 @@ RestMesh unbroken_mesh(Positions position, std::vector<std::array<Index, 3>> fac
                   .vertex_parents = {},
                   .vertex_weights = {},
                   .face_parent = {},
-                  .unbroken_faces = {}};
-    rest.unbroken_position = rest.position;
+                  .unfractured_faces = {}};
+    rest.unfractured_position = rest.position;
     for (Index v = 0; v < static_cast<Index>(rest.position.cols()); ++v)
         rest.vertex_parents.push_back({v, v, v});
     rest.vertex_weights.assign(rest.vertex_parents.size(), {1, 0, 0});
     rest.face_parent.resize(rest.faces.size());
     std::iota(rest.face_parent.begin(), rest.face_parent.end(), Index{0});
-    rest.unbroken_faces = rest.faces;
+    rest.unfractured_faces = rest.faces;
     return rest;
 }
 
 Vector3d place_in_parent(const RestMesh& rest, std::size_t face, int corner) {
     const Index vertex = rest.faces[face][corner];
-    const std::array<Index, 3>& parent = rest.unbroken_faces[rest.face_parent[face]];
+    const std::array<Index, 3>& parent = rest.unfractured_faces[rest.face_parent[face]];
     if (!rest.face_mixed.empty() && rest.face_mixed[face] != 0)
-        return in_plane_of(columns(rest.unbroken_position, parent), rest.position.col(vertex));
+        return in_plane_of(columns(rest.unfractured_position, parent), rest.position.col(vertex));
     Vector3d place = Vector3d::Zero();
     for (int k = 0; k < 3; ++k)
         for (int i = 0; i < 3; ++i)
@@ -74,8 +74,8 @@ Snapshot take_snapshot(const BreakableShell& shell, std::span<const Index> face_
 
     const VectorXd strains = hinge_strains(shell, mechanics.position);
     const Mesh& mesh = shell.mesh();
-    snapshot.original = shell.ancestry().columns();
-    snapshot.rest = shell.ancestry().rest(mechanics);
+    snapshot.original = shell.rest_parents().columns();
+    snapshot.rest = shell.rest_parents().rest(mechanics);
     snapshot.rest.look = recorded_look(mesh, snapshot.original, snapshot.rest);
     for (const Edge edge : mesh.edges()) {
         snapshot.edges.push_back(

@@ -30,14 +30,14 @@ struct RestMesh {
     /// [F] 1 for faces that cover parts of several: not all corners lie in the parent; empty: there is none.
     std::vector<std::uint8_t> face_mixed = {};
     SurfaceLook look = {};  ///< what is recorded of it, with vertices [R] and faces [F]
-    std::vector<std::array<Index, 3>> unbroken_faces;  ///< [F0] faces of the unfractured mesh
-    Positions unbroken_position = {};                  ///< [3, V0] m, vertices of the unfractured mesh
+    std::vector<std::array<Index, 3>> unfractured_faces;  ///< [F0] faces of the unfractured mesh
+    Positions unfractured_position = {};                  ///< [3, V0] m, vertices of the unfractured mesh
 
     void visit_state(StateVisitor& visit) {
         auto& [position, faces, area, thickness, vertex_parents, vertex_weights, face_parent, face_mixed,
-               look, unbroken_faces, unbroken_position] = *this;
+               look, unfractured_faces, unfractured_position] = *this;
         visit(position, faces, area, thickness, vertex_parents, vertex_weights, face_parent, face_mixed,
-              unbroken_faces, unbroken_position);
+              unfractured_faces, unfractured_position);
         visit_look(visit, look);
     }
 };
@@ -62,7 +62,7 @@ struct Snapshot {
     std::vector<EdgeState> edge_state;        ///< [E]
     std::vector<double> edge_strain;          ///< [E] 1/m, signed bending strain; zero without a hinge
     /// [E] remaining share of the cohesive force of each edge while it opens; empty: none opens gradually.
-    std::vector<double> edge_held = {};
+    std::vector<double> edge_cohesive_share = {};
 
     RestMesh rest;      ///< mesh at rest, with the same faces
     FaceFields fields;  ///< fields that were asked for
@@ -72,7 +72,15 @@ struct Snapshot {
 enum class Elements { vertices, faces, edges, rest_vertices };
 
 /// Meaning of an array's numbers as indices.
-enum class Names { nothing, vertices, rest_vertices, fragments, sheets, unbroken_vertices, unbroken_faces };
+enum class Names {
+    nothing,
+    vertices,
+    rest_vertices,
+    fragments,
+    sheets,
+    unfractured_vertices,
+    unfractured_faces
+};
 
 enum class Presence {
     always,
@@ -144,7 +152,7 @@ void visit_arrays(S& snapshot, const Visit& visit) {
             .meaning =
                 "cohesive share: part of the force across an opening edge that remains; 0: none, or unbroken",
             .presence = Presence::if_any},
-          snapshot.edge_held);
+          snapshot.edge_cohesive_share);
 }
 
 /// Calls visit(SnapshotArray, array) for each array of a mesh at rest, but not of its look.
@@ -168,7 +176,7 @@ void visit_rest_arrays(R& rest, const Visit& visit) {
     visit(A{.name = "rest/vertex_parents",
             .entries = Elements::rest_vertices,
             .meaning = "vertices of the unbroken mesh (/rest) between which the vertex lies",
-            .names = Names::unbroken_vertices},
+            .names = Names::unfractured_vertices},
           rest.vertex_parents);
     visit(A{.name = "rest/vertex_weights",
             .entries = Elements::rest_vertices,
@@ -177,7 +185,7 @@ void visit_rest_arrays(R& rest, const Visit& visit) {
     visit(A{.name = "rest/face_parent",
             .entries = Elements::faces,
             .meaning = "face of the unbroken mesh (/rest) of which the face is a part",
-            .names = Names::unbroken_faces},
+            .names = Names::unfractured_faces},
           rest.face_parent);
     visit(A{.name = "rest/face_mixed",
             .entries = Elements::faces,
@@ -187,8 +195,8 @@ void visit_rest_arrays(R& rest, const Visit& visit) {
 }
 
 /// Returns the rest mesh of a mesh that is its own unfractured mesh.
-RestMesh unbroken_mesh(Positions position, std::vector<std::array<Index, 3>> faces, std::vector<double> area,
-                       std::vector<double> thickness);
+RestMesh unfractured_mesh(Positions position, std::vector<std::array<Index, 3>> faces,
+                          std::vector<double> area, std::vector<double> thickness);
 
 /// Barycentric coordinates of a face's corner (0, 1, 2) in its parent face; where the face is mixed and the
 /// corner lies beside the parent, those of its projection into the parent's plane.

@@ -72,9 +72,9 @@ void StartExemptions::add(const Mesh& mesh, std::span<const StartOverlap> overla
 
 void StartExemptions::follow(const TopologyChange& change) {
     if (pairs.empty()) return;
-    for (const Born<Vertex>& born : change.vertices)
-        for (const auto& [parent, weight] : born.parents)
-            for (const auto& [other, reach] : pairs.of(parent)) pairs.add(born.element, other, reach);
+    for (const WithParents<Vertex>& inserted : change.vertices)
+        for (const auto& [parent, weight] : inserted.parents)
+            for (const auto& [other, reach] : pairs.of(parent)) pairs.add(inserted.element, other, reach);
 }
 
 bool StartExemptions::apart(const Mesh& mesh, const Shell& shell, const VertexPairs::Pair& pair) const {
@@ -125,7 +125,7 @@ void StartExemptions::write(Shell& shell) const {
         if (reach > 0)
             shell.near.push_back({both, reach});
         else
-            shell.twins.push_back(both);
+            shell.exempt_pairs.push_back(both);
     }
 }
 

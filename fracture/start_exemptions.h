@@ -27,7 +27,7 @@ class StartExemptions {
     /// activation distance. Returns whether there were any.
     bool release(const Mesh& mesh, const Shell& shell);
 
-    /// Adds to shell.twins and sets shell.near.
+    /// Adds to shell.exempt_pairs and sets shell.near.
     void write(Shell& shell) const;
 
     bool has(Vertex vertex) const { return pairs.has(vertex); }

@@ -25,7 +25,7 @@ FacePair ascending(Face a, Face b) {
 bool at_seam(const Shell& shell, const FacePair& faces) {
     for (const Index p : shell.triangles[faces[0]].vertices)
         for (const Index q : shell.triangles[faces[1]].vertices)
-            if (std::binary_search(shell.twins.begin(), shell.twins.end(),
+            if (std::binary_search(shell.exempt_pairs.begin(), shell.exempt_pairs.end(),
                                    std::array{std::min(p, q), std::max(p, q)}))
                 return true;
     return false;

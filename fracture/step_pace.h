@@ -12,12 +12,12 @@ namespace sherd {
 /// Reason for which explicit steps replace an implicit one, or implicit ones an explicit one.
 enum class Urgency : std::uint8_t {
     none,
-    strike,       ///< an impact of whose energy the time scheme dissipates much
-    stress,       ///< an edge is near failure
-    crack,        ///< an edge fails
-    unsolved,     ///< the step cannot be solved
-    overwhelmed,  ///< explicit steps have failed: implicit ones follow
-    passage,      ///< surfaces pass through each other in the solved step
+    strike,           ///< an impact of whose energy the time scheme dissipates much
+    stress,           ///< an edge is near failure
+    crack,            ///< an edge fails
+    unsolved,         ///< the step cannot be solved
+    explicit_failed,  ///< explicit steps have failed: implicit ones follow
+    passage,          ///< surfaces pass through each other in the solved step
 };
 
 inline constexpr std::size_t urgency_count = 7;
@@ -37,29 +37,31 @@ struct StepActivity {
 /// step that failed some whole steps are implicit, urgent or not: twice as many each time.
 class StepPace {
   public:
-    /// little: J, energy up to which a contact is no impact.
-    explicit StepPace(double little = 0) : little(little) {}
+    /// energy_floor: J, energy up to which a contact is no impact.
+    explicit StepPace(double energy_floor = 0) : energy_floor(energy_floor) {}
     /// Returns the urgency of an implicit step that has been solved.
-    Urgency judge(const StepActivity& solved) const;
+    Urgency urgency_of(const StepActivity& solved) const;
     /// Must be called when an implicit step is finished; whole: whether it ends at a multiple of the nominal
     /// length.
     void implicit_finished(const StepActivity& step, bool whole);
     /// Must be called before explicit steps.
-    void goes_explicit();
+    void begin_explicit();
     /// Must be called before implicit steps that replace failed explicit ones.
-    void stays_implicit();
-    bool is_held() const { return held > 0; }  ///< whether steps must be implicit
+    void begin_forced_implicit();
+    bool must_be_implicit() const { return forced_implicit_steps > 0; }  ///< whether steps must be implicit
     /// Must be called when an explicit step is finished; whole: see implicit_finished(). Returns whether
     /// implicit steps shall follow.
     bool explicit_finished(const StepActivity& step, bool whole);
     void visit_state(StateVisitor& visit) {
-        auto& [little, largest_energy, is_busy, contact, quiet, enough, implicit_steps, held, hold] = *this;
-        visit(largest_energy, is_busy, contact, quiet, enough, implicit_steps, held, hold);
+        auto& [energy_floor, largest_energy, has_failed, contact, quiet_steps, required_quiet_steps,
+               implicit_steps, forced_implicit_steps, next_forced_steps] = *this;
+        visit(largest_energy, has_failed, contact, quiet_steps, required_quiet_steps, implicit_steps,
+              forced_implicit_steps, next_forced_steps);
     }
 
   private:
-    static constexpr int least_quiet = 4;  // whole steps
-    static constexpr int calming = 3;      // implicit steps that damp remaining vibrations
+    static constexpr int least_quiet_steps = 4;  // whole steps
+    static constexpr int damping_steps = 3;      // implicit steps that damp remaining vibrations
 
     /// Range of contact energies, J. Resting or constant pressing keeps it narrow; an impact widens it.
     struct Range {
@@ -69,18 +71,19 @@ class StepPace {
         void visit_state(StateVisitor& visit) { visit(least, most); }
     };
 
-    double much(const StepActivity& step) const;  ///< J
-    bool strikes(const StepActivity& solved) const;
+    double impact_energy(const StepActivity& step) const;  ///< J
+    bool is_impact(const StepActivity& solved) const;
 
-    double little;                 ///< J
-    double largest_energy = 0;     ///< J, StepActivity::energy in all steps
-    bool is_busy = false;          ///< whether anything has failed since the last whole step
-    Range contact;                 ///< energy stored in contact, from the end of the last whole step on
-    int quiet = 0;                 ///< whole steps in succession without failure and impact
-    int enough = least_quiet;      ///< quiet steps required before implicit steps
-    int implicit_steps = calming;  ///< since the last explicit one
-    int held = 0;                  ///< whole steps that must still be implicit
-    int hold = least_quiet;        ///< whole steps to hold after the next failure of explicit steps
+    double energy_floor;        ///< J
+    double largest_energy = 0;  ///< J, StepActivity::energy in all steps
+    bool has_failed = false;    ///< whether anything has failed since the last whole step
+    Range contact;              ///< energy stored in contact, from the end of the last whole step on
+    int quiet_steps = 0;        ///< whole steps in succession without failure and impact
+    int required_quiet_steps = least_quiet_steps;  ///< quiet steps required before implicit steps
+    int implicit_steps = damping_steps;            ///< since the last explicit one
+    int forced_implicit_steps = 0;                 ///< whole steps that must still be implicit
+    int next_forced_steps =
+        least_quiet_steps;  ///< whole steps to hold after the next failure of explicit steps
 };
 
 }  // namespace sherd

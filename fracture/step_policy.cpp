@@ -24,40 +24,40 @@ StepPolicy::StepPolicy(const SimulationOptions& options, double energy_floor)
 Urgency StepPolicy::urgency(const StepResult& result) const {
     if (result) return Urgency::none;
     if (result.outcome == Outcome::passage) return Urgency::passage;
-    return result.outcome == Outcome::failed && is_explicit() ? Urgency::overwhelmed : Urgency::unsolved;
+    return result.outcome == Outcome::failed && is_explicit() ? Urgency::explicit_failed : Urgency::unsolved;
 }
 
 bool StepPolicy::retry(const Attempt& last, StepReport& report) {
     const bool has_failed = last.result.outcome == Outcome::failed;
     if (has_failed && !(alternates && (is_explicit() || pace.is_held()))) return false;
     if (has_failed && is_explicit()) {
-        if (is_resort_tried) return false;
-        go_implicit();
-        pace.stays_implicit();
+        if (is_fallback_tried) return false;
+        switch_to_implicit();
+        pace.begin_forced_implicit();
         report.urgency = last.urgency;
         return true;
     }
     const bool is_held = pace.is_held();
-    if ((!can_go_explicit() || is_held) && step_size.halve()) {
+    if ((!can_switch_to_explicit() || is_held) && step_size.halve()) {
         ++report.halvings;
         return true;
     }
-    if (!can_go_explicit()) return false;
-    if (is_held) is_last_resort = is_resort_tried = true;
-    go_explicit();
+    if (!can_switch_to_explicit()) return false;
+    if (is_held) is_explicit_fallback = is_fallback_tried = true;
+    switch_to_explicit();
     report.urgency = last.urgency;
     return true;
 }
 
-void StepPolicy::go_explicit() {
+void StepPolicy::switch_to_explicit() {
     scheme = Scheme::explicit_differences;
-    pace.goes_explicit();
+    pace.begin_explicit();
     step_size.keep(explicit_halvings);
 }
 
-void StepPolicy::go_implicit() {
+void StepPolicy::switch_to_implicit() {
     scheme = Scheme::implicit_euler;
-    is_last_resort = false;
+    is_explicit_fallback = false;
     step_size.resume();
 }
 
@@ -66,7 +66,7 @@ void StepPolicy::finish_step(const StepActivity& step) {
     if (!is_explicit())
         pace.implicit_finished(step, at_whole);
     else if (pace.explicit_finished(step, at_whole) && alternates)
-        go_implicit();
+        switch_to_implicit();
 }
 
 }  // namespace sherd

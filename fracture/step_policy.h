@@ -36,16 +36,16 @@ class StepPolicy {
     double time() const { return step_size.time(); }  ///< s, end of the last step
     bool can_halve() const { return step_size.can_halve(); }
     bool is_explicit() const { return scheme == Scheme::explicit_differences; }
-    SchemeChoice choice() const { return {scheme, alternates && !is_last_resort}; }
+    SchemeChoice choice() const { return {scheme, alternates && !is_explicit_fallback}; }
 
     /// Must be called before the first attempt at a step.
-    void begin_step() { is_resort_tried = false; }
+    void begin_step() { is_fallback_tried = false; }
     /// The reason for another attempt after a result; none after one that is `done`.
     Urgency urgency(const StepResult& result) const;
-    /// Whether explicit steps may replace an implicit one that has been solved: see judge().
-    bool can_go_explicit() const { return alternates && !is_explicit(); }
+    /// Whether explicit steps may replace an implicit one that has been solved: see urgency_of().
+    bool can_switch_to_explicit() const { return alternates && !is_explicit(); }
     /// Returns the urgency of an implicit step that has been solved.
-    Urgency judge(const StepActivity& solved) const { return pace.judge(solved); }
+    Urgency urgency_of(const StepActivity& solved) const { return pace.urgency_of(solved); }
     /// Prepares another attempt after one in vain: with the other scheme, or half the step. Books a change of
     /// scheme, or a halving, in the report. Returns false if nothing is left to try.
     bool retry(const Attempt& last, StepReport& report);
@@ -55,22 +55,22 @@ class StepPolicy {
     void finish_step(const StepActivity& step);
 
     void visit_state(StateVisitor& visit) {
-        auto& [alternates, explicit_halvings, scheme, is_last_resort, is_resort_tried, step_size, pace] =
-            *this;
-        visit(scheme, is_last_resort, step_size, pace);
+        auto& [alternates, explicit_halvings, scheme, is_explicit_fallback, is_fallback_tried, step_size,
+               pace] = *this;
+        visit(scheme, is_explicit_fallback, step_size, pace);
     }
 
   private:
-    void go_explicit();
-    void go_implicit();
+    void switch_to_explicit();
+    void switch_to_implicit();
 
     bool alternates;        ///< SimulationOptions::alternates
     int explicit_halvings;  ///< of the nominal step, to the length of explicit ones
     Scheme scheme;
     /// Whether steps are explicit because implicit ones have failed, too: overlaps may then exceed those that
     /// barriers permit.
-    bool is_last_resort = false;
-    bool is_resort_tried = false;  ///< whether this has been tried in the open step
+    bool is_explicit_fallback = false;
+    bool is_fallback_tried = false;  ///< whether this has been tried in the open step
     StepSize step_size;
     StepPace pace;
 };

@@ -36,7 +36,7 @@ struct StepReport : EnergyBalance {
     Urgency urgency = Urgency::none;  ///< reason for which the scheme changes with this step
     Index contacts = 0;               ///< number of vertices in contact with obstacles or bodies
     double obstacle_overlap = 0;      ///< m, largest overlap of a sheet with an obstacle or a body
-    double lip_overlap = 0;           ///< m, largest overlap of crack faces that have not separated yet
+    double crack_face_overlap = 0;    ///< m, largest overlap of crack faces that have not separated yet
     Index exempt_pairs = 0;           ///< pairs of vertices whose faces have overlapped since the start
     Index fragments = 0;
 

@@ -24,7 +24,7 @@ void StepSize::resume() {
 void StepSize::advance() {
     done += ticks();
     if (is_kept || length == whole) return;
-    if (++successes < enough || done % (2 * length) != 0) return;
+    if (++successes < required_successes || done % (2 * length) != 0) return;
     length *= 2;
     successes = 0;
 }

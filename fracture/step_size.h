@@ -30,7 +30,8 @@ class StepSize {
     void advance();
 
   private:
-    static constexpr int enough = 4;  // steps in succession that succeed before a longer one is tried
+    static constexpr int required_successes =
+        4;  // steps in succession that succeed before a longer one is tried
     // Lengths are multiples of a tick, so that times have no round-off that adds up.
     static constexpr std::int64_t smallest = 1024, whole = smallest << most_halvings;
 

@@ -21,21 +21,21 @@ constexpr double most_of_modes = 1.5;
 
 /// The vertex pairs of both faces of the crack that ends at a tip, in order from the tip, as long as both are
 /// copies of one vertex.
-std::vector<std::array<Vertex, 2>> lips_of(const BreakableShell& shell, Vertex tip) {
+std::vector<std::array<Vertex, 2>> crack_faces_of(const BreakableShell& shell, Vertex tip) {
     const Mesh& mesh = shell.mesh();
     Halfedge to_tip;  // on the hole's side
     for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(tip)))
         if (mesh.is_border(h)) to_tip = h;
-    std::vector<std::array<Vertex, 2>> lips;
+    std::vector<std::array<Vertex, 2>> crack_faces;
     Halfedge before = to_tip, after = mesh.next(to_tip);
-    while (static_cast<int>(lips.size()) < followed) {
+    while (static_cast<int>(crack_faces.size()) < followed) {
         const Vertex a = mesh.source(before), b = mesh.target(after);
         if (a == b || shell.cracks().original(a) != shell.cracks().original(b)) break;
-        lips.push_back({a, b});
+        crack_faces.push_back({a, b});
         before = mesh.prev(before);
         after = mesh.next(after);
     }
-    return lips;
+    return crack_faces;
 }
 
 /// Ratio of the squared largest hoop stress to that released by straight propagation; at least 1.
@@ -70,15 +70,15 @@ void TipEnergy::mesh_changed(std::span<const GrowingTip> tips) {
 
 std::vector<char> TipEnergy::foreign_to(Index vertex) const {
     std::vector<char> others = foreign;
-    std::vector<std::array<Vertex, 2>> lips = lips_of(shell, Vertex(vertex));
+    std::vector<std::array<Vertex, 2>> crack_faces = crack_faces_of(shell, Vertex(vertex));
     // If the crack faces end early, the last pair is another tip, or the crack's mouth on the outer boundary.
-    if (static_cast<int>(lips.size()) < followed && !lips.empty()) lips.pop_back();
-    for (const auto& [a, b] : lips) others[a] = others[b] = 0;
+    if (static_cast<int>(crack_faces.size()) < followed && !crack_faces.empty()) crack_faces.pop_back();
+    for (const auto& [a, b] : crack_faces) others[a] = others[b] = 0;
     others[vertex] = 0;
     return others;
 }
 
-TipEnergy::Known* TipEnergy::known_at(const GrowingTip& tip, const Equilibrium& state) {
+TipEnergy::CachedTip* TipEnergy::cached_at(const GrowingTip& tip, const Equilibrium& state) {
     const auto [place, is_new] = all.try_emplace(tip.vertex);
     if (!is_new) return place->second.get();
     const Mesh& mesh = shell.mesh();
@@ -87,43 +87,43 @@ TipEnergy::Known* TipEnergy::known_at(const GrowingTip& tip, const Equilibrium& 
         sides += mesh.is_border(mesh.edge(h)) ? 1 : 0;
     if (sides != 2) return nullptr;
     const CrackTip found = crack_tip(shell.mechanics(), *around, tip.vertex, foreign_to(tip.vertex));
-    place->second = std::make_unique<Known>(
-        Known{found, TipForce(shell.mechanics(), *around, {.bending = state.bending}, found)});
+    place->second = std::make_unique<CachedTip>(
+        CachedTip{found, TipForce(shell.mechanics(), *around, {.bending = state.bending}, found)});
     return place->second.get();
 }
 
-bool TipEnergy::add_modes(const Known& known, const Equilibrium& state, double straight_on,
+bool TipEnergy::add_modes(const CachedTip& cached, const Equilibrium& state, double straight_on,
                           TipLoad& load) const {
     const Shell& mechanics = shell.mechanics();
-    const std::optional<PlaneStress> material = isotropic_at(mechanics, (*around)[known.tip.vertex].front());
+    const std::optional<PlaneStress> material = isotropic_at(mechanics, (*around)[cached.tip.vertex].front());
     if (!material) return true;
-    load.membrane = membrane_intensity(mechanics, *around, known.tip, state.x);
-    if (state.bending != nullptr && static_cast<int>(known.tip.rings.size()) > rings_for_plate)
-        load.plate = plate_intensity(mechanics, *around, *state.bending, known.tip, state.x);
-    if (is_torn(*material, load, straight_on / mechanics.thickness[known.tip.vertex])) return false;
+    load.membrane = membrane_intensity(mechanics, *around, cached.tip, state.x);
+    if (state.bending != nullptr && static_cast<int>(cached.tip.rings.size()) > rings_for_plate)
+        load.plate = plate_intensity(mechanics, *around, *state.bending, cached.tip, state.x);
+    if (is_torn(*material, load, straight_on / mechanics.thickness[cached.tip.vertex])) return false;
     const double turn = hoop_direction(*material, load.membrane, load.plate).angle;
-    load.direction = Eigen::AngleAxisd(turn, known.tip.normal) * known.tip.direction;
+    load.direction = Eigen::AngleAxisd(turn, cached.tip.normal) * cached.tip.direction;
     return true;
 }
 
 std::optional<TipLoad> TipEnergy::load(const GrowingTip& tip, const Equilibrium& state) {
     if (membrane != MembraneModel::constant_strain) return std::nullopt;
-    const Known* known = known_at(tip, state);
-    if (known == nullptr) return std::nullopt;
-    const ConfigurationalForce force =
-        known->force.at(state.x, {.spread = state.elastic - state.on_lips, .on_lips = state.on_lips});
+    const CachedTip* cached = cached_at(tip, state);
+    if (cached == nullptr) return std::nullopt;
+    const ConfigurationalForce force = cached->force.at(
+        state.x, {.spread = state.elastic - state.on_crack_faces, .on_crack_faces = state.on_crack_faces});
     const Vector2d along = force.corrected();
     TipLoad load;
-    load.direction = known->tip.direction;
+    load.direction = cached->tip.direction;
     load.by_energy = true;
-    const bool has_modes = add_modes(*known, state, along[0], load);
-    const bool is_straight = known->tip.direction.dot(tip.direction) > straight;
+    const bool has_modes = add_modes(*cached, state, along[0], load);
+    const bool is_straight = cached->tip.direction.dot(tip.direction) > straight;
     double released = is_straight ? along[0] : along.norm();
     if (has_modes && is_straight) released += (gain_by_turning(load.membrane) - 1) * force.membrane[0];
     if (!has_modes && along[0] > 0) {
         released = along.norm();
         load.direction =
-            Eigen::AngleAxisd(std::atan2(along[1], along[0]), known->tip.normal) * known->tip.direction;
+            Eigen::AngleAxisd(std::atan2(along[1], along[0]), cached->tip.normal) * cached->tip.direction;
     }
     load.intensity = std::sqrt(std::max(0.0, released) * shell.mechanics().young[tip.vertex] /
                                shell.mechanics().thickness[tip.vertex]);

@@ -13,7 +13,7 @@ namespace sherd {
 struct Equilibrium {
     Positions x;                    ///< [3, V] m
     Positions elastic;              ///< [3, V] N, derivative of the elastic energy
-    Positions on_lips;              ///< [3, V] N, contact between crack faces
+    Positions on_crack_faces;       ///< [3, V] N, contact between crack faces
     const CoupledBending* bending;  ///< the stepper's, in its state
 };
 
@@ -35,23 +35,25 @@ class TipEnergy {
     std::optional<TipLoad> load(const GrowingTip& tip, const Equilibrium& state);
 
   private:
-    struct Known {
+    struct CachedTip {
         CrackTip tip;
         TipForce force;
     };
-    Known* known_at(const GrowingTip& tip, const Equilibrium& state);
+    CachedTip* cached_at(const GrowingTip& tip, const Equilibrium& state);
     /// [V] 1 where the rings of a tip must not reach: other tips, and the boundary except its own crack
     /// faces.
     std::vector<char> foreign_to(Index vertex) const;
     /// Sets modes and direction of the load in an isotropic sheet. Returns false, without a direction, where
     /// the sheet is torn out of its plane. straight_on: J/m, energy released by straight propagation.
-    bool add_modes(const Known& known, const Equilibrium& state, double straight_on, TipLoad& load) const;
+    bool add_modes(const CachedTip& cached, const Equilibrium& state, double straight_on,
+                   TipLoad& load) const;
 
     const BreakableShell& shell;
     MembraneModel membrane;
     std::optional<VertexFaces> around;
-    std::vector<char> foreign;                    ///< [V] 1 on the boundary and at tips
-    std::map<Index, std::unique_ptr<Known>> all;  ///< by the tip's vertex; null: energy cannot be computed
+    std::vector<char> foreign;  ///< [V] 1 on the boundary and at tips
+    std::map<Index, std::unique_ptr<CachedTip>>
+        all;  ///< by the tip's vertex; null: energy cannot be computed
 };
 
 }  // namespace sherd

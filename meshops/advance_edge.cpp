@@ -146,12 +146,12 @@ class Course {
 
     Candidate cut_at(double distance) const {
         auto trial = std::make_unique<PatchTrial>(patch);
-        const Vertex born = born_in(*trial, distance);
-        if (!born.is_valid()) return {};
-        return kept(std::move(trial), born, Way::cut, distance);
+        const Vertex inserted = inserted_in(*trial, distance);
+        if (!inserted.is_valid()) return {};
+        return kept(std::move(trial), inserted, Way::cut, distance);
     }
 
-    Vertex born_in(PatchTrial& trial, double distance) const {
+    Vertex inserted_in(PatchTrial& trial, double distance) const {
         const Mesh& mesh = patch.mesh;
         const SurfacePoint place = place_at(distance);
         for (const Halfedge along : {mesh.opposite(mesh.prev(side)), mesh.next(side)}) {
@@ -165,9 +165,9 @@ class Course {
         if (is_at_line(distance)) return trial.split_edge(side, ray.end_fraction());
         if (patch.line[mesh.edge(side)]) return trial.split_face(ray.first_face(), in_first_face(place));
         if (!has(place, mesh.source(side)) || !has(place, mesh.target(side))) return Mesh::null_vertex();
-        const Vertex born = trial.split_edge(side, crossing_fraction());
-        trial.move(born, place);
-        return born;
+        const Vertex inserted = trial.split_edge(side, crossing_fraction());
+        trial.move(inserted, place);
+        return inserted;
     }
 
     /// Weights of a place in the tip's face in the order of the face's corners.

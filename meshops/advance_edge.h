@@ -26,7 +26,7 @@ struct AdvanceOptions {
     Vertex goal = Mesh::null_vertex();
     /// Whether to make the best change where none keeps the angles, instead of taking an existing edge.
     bool always_straight = false;
-    KeptLines kept;
+    LineConstraints kept;
 };
 
 /// An edge of a mesh along a requested ray.

@@ -47,7 +47,7 @@ double distance_to_segment(const Vector3d& point, const Vector3d& start, const V
 /// Halfedges of the cheapest path from `goal` back to `start`; the source of each is nearer to the start.
 /// Empty if there is no path. `cost` of an edge must be positive.
 template <class Cost>
-std::vector<Halfedge> cheapest_way_back(const Mesh& mesh, Vertex start, Vertex goal, const Cost& cost) {
+std::vector<Halfedge> cheapest_path_back(const Mesh& mesh, Vertex start, Vertex goal, const Cost& cost) {
     struct Arrival {
         double cost;
         Halfedge by;
@@ -88,7 +88,7 @@ std::vector<Edge> edge_path(const Mesh& mesh, std::span<const Vector3d> line) {
                 (position(mesh, mesh.vertex(e, 0)) + position(mesh, mesh.vertex(e, 1))) / 2;
             return edge_length(mesh, e) * (mean + distance_to_segment(middle, line[i - 1], line[i]));
         };
-        const std::vector<Halfedge> way = cheapest_way_back(mesh, stops[i - 1], stops[i], cost);
+        const std::vector<Halfedge> way = cheapest_path_back(mesh, stops[i - 1], stops[i], cost);
         if (way.empty() && stops[i - 1] != stops[i])
             throw Error("points " + std::to_string(i - 1) + " and " + std::to_string(i) +
                         " of the line (counted from 0) lie on parts of the mesh that are not connected");

@@ -9,8 +9,8 @@
 namespace sherd {
 namespace {
 
-using Parents = std::vector<Born<Vertex>::Parent>;
-using Shares = std::vector<Born<Face>::Parent>;
+using Parents = std::vector<WithParents<Vertex>::Parent>;
+using Shares = std::vector<WithParents<Face>::Parent>;
 
 /// Weights of a face's corners among the parents of a vertex; nullopt if the vertex has other parents, too.
 std::optional<Eigen::Vector3d> corner_weights(const ReplacedFace& face, const Parents& parents) {
@@ -29,7 +29,7 @@ class FaceInheritance {
     FaceInheritance(const Mesh& mesh, const std::map<Face, ReplacedFace>& old, const TopologyChange& change)
         : mesh(mesh), old(old) {
         for (const auto* vertices : {&change.vertices, &change.moved})
-            for (const Born<Vertex>& vertex : *vertices) parents[vertex.element] = vertex.parents;
+            for (const WithParents<Vertex>& vertex : *vertices) parents[vertex.element] = vertex.parents;
     }
 
     /// The mean of texture coordinates at the corners of a face.
@@ -101,13 +101,14 @@ void inherit(Mesh& mesh, const FaceInheritance&, const TopologyChange& change,
     std::vector<std::pair<Vertex, Value>> now;
     if constexpr (rule == Inherits::mean) {
         for (const auto* vertices : {&change.vertices, &change.moved})
-            for (const Born<Vertex>& vertex : *vertices) {
+            for (const WithParents<Vertex>& vertex : *vertices) {
                 Mean<Value> mean;
                 for (const auto& [parent, weight] : vertex.parents) mean.add(values[parent], weight);
                 now.emplace_back(vertex.element, mean.value());
             }
     } else {
-        for (const Born<Vertex>& vertex : change.vertices) now.emplace_back(vertex.element, missing<Value>());
+        for (const WithParents<Vertex>& vertex : change.vertices)
+            now.emplace_back(vertex.element, missing<Value>());
     }
     assign(values, now);
 }

@@ -22,7 +22,7 @@ constexpr float band = 3;
 constexpr const char* grid_name = "surface";
 /// Difference in thickness that is neglected, in voxels: otherwise each triangle of an uneven sheet would
 /// need a grid.
-constexpr double unseen = 0.01;
+constexpr double negligible = 0.01;
 
 using Triangles = std::vector<openvdb::Vec3I>;
 
@@ -85,7 +85,7 @@ openvdb::FloatGrid::Ptr thickened_grid(const TriangleSheet& sheet, std::span<con
                                        double voxel) {
     const std::vector<openvdb::Vec3s> points = points_of(sheet);
     openvdb::FloatGrid::Ptr whole;
-    for (const auto& [value, triangles] : triangles_by_thickness(sheet, thickness, unseen * voxel)) {
+    for (const auto& [value, triangles] : triangles_by_thickness(sheet, thickness, negligible * voxel)) {
         const openvdb::FloatGrid::Ptr part = level_set_of(points, triangles, value, voxel);
         if (whole)
             openvdb::tools::csgUnion(*whole, *part);

@@ -89,7 +89,7 @@ LineCut::LineCut(Mesh& mesh, bool keep_vertices)
     options.snap = !keep_vertices;
     options.always_straight = true;
     const std::size_t old = keep_vertices ? mesh.number_of_vertices() : 0;
-    options.kept.keeps_place = [this, old](Vertex v) { return v.idx() < old || kept.contains(v); };
+    options.kept.is_fixed_vertex = [this, old](Vertex v) { return v.idx() < old || kept.contains(v); };
     options.kept.is_line = [this](Edge e) { return on_path.contains(e); };
 }
 
@@ -153,9 +153,9 @@ Vertex LineCut::vertex_at(const Vector3d& place) {
 
 void LineCut::follow(const TopologyChange& change, double angle) {
     smallest = std::min(smallest, angle);
-    for (const Born<Vertex>& vertex : change.moved)
+    for (const WithParents<Vertex>& vertex : change.moved)
         if (vertex.element.idx() < surface.number_of_vertices()) moved.insert(vertex.element);
-    for (const Born<Edge>& edge : change.edges) {
+    for (const WithParents<Edge>& edge : change.edges) {
         if (!edge.is_copy() || !on_path.contains(edge.parent())) continue;
         on_path.insert(edge.element);
         path.push_back(edge.element);
@@ -219,7 +219,7 @@ double LineCut::length() const {
     return sum;
 }
 
-std::size_t LineCut::born_vertices() const {
+std::size_t LineCut::inserted_vertices() const {
     return mesh.number_of_vertices() - surface.number_of_vertices();
 }
 

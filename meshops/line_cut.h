@@ -37,7 +37,7 @@ class LineCut {
     double length() const;                              ///< total length of edges(), m
     double smallest_angle() const { return smallest; }  ///< rad, of changed faces; pi if there are none
     std::size_t moved_vertices() const { return moved.size(); }
-    std::size_t born_vertices() const;
+    std::size_t inserted_vertices() const;
 
   private:
     struct Curve {

@@ -25,7 +25,7 @@ Point2 place_of(const Surface& surface, const Eigen::Vector2d& parameter) {
 
 }  // namespace
 
-void fail_to_generate() {
+void throw_generation_error() {
     throw Error("the mesh cannot be generated: edge_length is too large for the shape");
 }
 
@@ -109,14 +109,14 @@ void MovingDelaunay::make() {
     std::vector<std::pair<Point2, std::size_t>> chart;
     for (std::size_t i = 0; i < count; ++i) chart.emplace_back(place_of(surface, points.parameter[i]), i);
     all.insert(chart.begin(), chart.end());
-    if (all.number_of_vertices() != count || all.dimension() != 2) fail_to_generate();
+    if (all.number_of_vertices() != count || all.dimension() != 2) throw_generation_error();
     handle.resize(count);
     for (const auto v : all.finite_vertex_handles()) handle[v->info()] = v;
     try {
         for (const auto& pairs : {points.creases, points.borders})
             for (const auto& [a, b] : pairs) all.insert_constraint(handle[a], handle[b]);
     } catch (const Triangulation::CreasedDelaunay::Intersection_of_constraints_exception&) {
-        fail_to_generate();
+        throw_generation_error();
     }
     all.infinite_vertex()->info() = count;
     require_edges();
@@ -126,7 +126,7 @@ void MovingDelaunay::make() {
 void MovingDelaunay::require_edges() const {
     for (const auto& pairs : {points.creases, points.borders})
         for (const auto& [a, b] : pairs)
-            if (!of->all.is_edge(of->handle[a], of->handle[b])) fail_to_generate();
+            if (!of->all.is_edge(of->handle[a], of->handle[b])) throw_generation_error();
 }
 
 /// Whether all vertices of the convex hull are fixed, so that the hull stays.
@@ -160,7 +160,7 @@ bool MovingDelaunay::move() {
         handle[i] = all.insert(place_of(surface, points.parameter[i]), near->face());
         handle[i]->info() = i;
     }
-    if (all.number_of_vertices() != count) fail_to_generate();
+    if (all.number_of_vertices() != count) throw_generation_error();
     require_edges();
     return true;
 }

@@ -40,6 +40,6 @@ class MovingDelaunay {
 };
 
 /// Throws the Error for a shape that has too few points.
-[[noreturn]] void fail_to_generate();
+[[noreturn]] void throw_generation_error();
 
 }  // namespace sherd

@@ -19,7 +19,7 @@ inline void append(std::string& text, const char* value) {
 }
 
 /// A number for a message, with four digits.
-inline std::string number_words(double value) {
+inline std::string number_text(double value) {
     char digits[32];
     return {digits, std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 4).ptr};
 }

@@ -65,7 +65,7 @@ Mobility mobility_of(const Patch& patch, Vertex vertex) {
 
 }  // namespace
 
-bool is_kept_line(const Mesh& mesh, Edge edge, const KeptLines& lines) {
+bool is_constrained_line(const Mesh& mesh, Edge edge, const LineConstraints& lines) {
     if (mesh.is_border(edge) || lines.is_line(edge)) return true;
     const Halfedge h = mesh.halfedge(edge), other = mesh.opposite(h);
     const Vector3d normal = triangle_normal(face_points(mesh, mesh.face(h))).normalized();
@@ -79,7 +79,7 @@ Vertex Patch::local(Vertex vertex) const {
                                 : Vertex(static_cast<Mesh::size_type>(at - vertices.begin()));
 }
 
-Patch patch_around(const Mesh& mesh, std::span<const Vertex> centres, const KeptLines& lines) {
+Patch patch_around(const Mesh& mesh, std::span<const Vertex> centres, const LineConstraints& lines) {
     Patch patch;
     const std::set<Vertex> core(centres.begin(), centres.end());
     copy_faces(mesh, faces_at(mesh, with_neighbours(mesh, core)), patch);
@@ -87,13 +87,13 @@ Patch patch_around(const Mesh& mesh, std::span<const Vertex> centres, const Kept
         const Edge whole = mesh.edge(mesh.halfedge(patch.vertices[patch.mesh.vertex(edge, 0)],
                                                    patch.vertices[patch.mesh.vertex(edge, 1)]));
         patch.rim.push_back(patch.mesh.is_border(edge) && !mesh.is_border(whole));
-        patch.line.push_back(patch.rim.back() || is_kept_line(mesh, whole, lines));
+        patch.line.push_back(patch.rim.back() || is_constrained_line(mesh, whole, lines));
     }
     for (const Vertex vertex : patch.mesh.vertices()) {
         const Vertex whole = patch.vertices[vertex];
         const bool is_cut_off = face_count(patch.mesh, vertex) != face_count(mesh, whole);
-        patch.mobility.push_back(is_cut_off || lines.keeps_place(whole) ? Mobility::fixed
-                                                                        : mobility_of(patch, vertex));
+        patch.mobility.push_back(is_cut_off || lines.is_fixed_vertex(whole) ? Mobility::fixed
+                                                                            : mobility_of(patch, vertex));
     }
     return patch;
 }

@@ -10,9 +10,9 @@
 namespace sherd {
 
 /// Vertices and edges that must stay where triangles are changed.
-struct KeptLines {
+struct LineConstraints {
     /// Vertices that do not move: of cracks, pins, gauges. By default any may.
-    std::function<bool(Vertex)> keeps_place = [](Vertex) { return false; };
+    std::function<bool(Vertex)> is_fixed_vertex = [](Vertex) { return false; };
     /// Edges that stay, called lines: they may be split, but are not flipped. A vertex between two collinear
     /// lines may slide along them; vertices at other ends of lines stay.
     std::function<bool(Edge)> is_line = [](Edge) { return false; };
@@ -22,7 +22,7 @@ struct KeptLines {
 
 /// Whether an edge is one of the lines, or creased, or on the boundary, or separates faces of different
 /// groups, materials or texture coordinates.
-bool is_kept_line(const Mesh& mesh, Edge edge, const KeptLines& lines);
+bool is_constrained_line(const Mesh& mesh, Edge edge, const LineConstraints& lines);
 
 /// Freedom of a vertex to move.
 enum class Mobility : std::uint8_t { fixed, slides, free };
@@ -40,6 +40,6 @@ struct Patch {
 };
 
 /// Faces within two edges of `centres`. Vertices that have faces outside are fixed.
-Patch patch_around(const Mesh& mesh, std::span<const Vertex> centres, const KeptLines& lines);
+Patch patch_around(const Mesh& mesh, std::span<const Vertex> centres, const LineConstraints& lines);
 
 }  // namespace sherd

@@ -31,8 +31,8 @@ std::array<Vertex, 3> ends(const Mesh& mesh, Halfedge h) {
 PatchTrial::PatchTrial(const Patch& patch)
     : patch(patch), sheet(patch.mesh), edits(sheet), mobility(patch.mobility), line(patch.line) {}
 
-void PatchTrial::add_vertex(Vertex born) {
-    mobility.resize(born.idx() + 1, Mobility::fixed);
+void PatchTrial::add_vertex(Vertex inserted) {
+    mobility.resize(inserted.idx() + 1, Mobility::fixed);
     line.resize(sheet.number_of_edges(), 0);
 }
 
@@ -40,17 +40,17 @@ Vertex PatchTrial::split_edge(Halfedge h, double t) {
     steps.push_back({Step::split_edge, ends(sheet, h), Vector3d(1 - t, t, 0)});
     const char was_line = line[sheet.edge(h)];
     const Vertex source = sheet.source(h), target = sheet.target(h);
-    const Vertex born = edits.split_edge(h, t);
-    add_vertex(born);
-    for (const Vertex end : {source, target}) line[sheet.edge(sheet.halfedge(born, end))] = was_line;
-    return born;
+    const Vertex inserted = edits.split_edge(h, t);
+    add_vertex(inserted);
+    for (const Vertex end : {source, target}) line[sheet.edge(sheet.halfedge(inserted, end))] = was_line;
+    return inserted;
 }
 
 Vertex PatchTrial::split_face(Face face, const Vector3d& weights) {
     steps.push_back({Step::split_face, face_corners(sheet, face), weights});
-    const Vertex born = edits.split_face(face, weights);
-    add_vertex(born);
-    return born;
+    const Vertex inserted = edits.split_face(face, weights);
+    add_vertex(inserted);
+    return inserted;
 }
 
 void PatchTrial::move(Vertex vertex, const SurfacePoint& place) {
@@ -70,7 +70,7 @@ void PatchTrial::keep(Edge edge) {
 
 double PatchTrial::angle_of(Face face) const {
     const std::array<Vector3d, 3> corners = face_points(sheet, face);
-    return upright_angle(corners, edits.ancestral_normal(face));
+    return upright_angle(corners, edits.parent_normal(face));
 }
 
 double PatchTrial::smallest_angle() const {
@@ -91,8 +91,7 @@ double PatchTrial::star_angle(Vertex vertex, const Vector3d& place) const {
     for (const Face face : sheet.faces_around_target(sheet.halfedge(vertex))) {
         if (face == Mesh::null_face()) continue;
         std::array<Vector3d, 3> corners = face_points(sheet, face);
-        const Vector3d normal =
-            edits.is_changed(face) ? edits.ancestral_normal(face) : triangle_normal(corners);
+        const Vector3d normal = edits.is_changed(face) ? edits.parent_normal(face) : triangle_normal(corners);
         corners[corner_number(face_corners(sheet, face), vertex)] = place;
         smallest = std::min(smallest, upright_angle(corners, normal));
     }

@@ -54,7 +54,7 @@ class PatchTrial {
     bool flip_where_better();
     bool relax(Vertex vertex);
     SurfacePoint on_old_surface(const Eigen::Vector3d& place) const;
-    void add_vertex(Vertex born);
+    void add_vertex(Vertex inserted);
 
     const Patch& patch;
     Mesh sheet;

@@ -59,21 +59,22 @@ Candidate moved_corner(const Patch& patch, Vertex corner, const SurfacePoint& po
     return plain_candidate(std::move(trial), corner, AdvancedEdge::Way::snapped, 0);
 }
 
-Candidate born_vertex(const Patch& patch, const SurfacePoint& point) {
+Candidate inserted_vertex(const Patch& patch, const SurfacePoint& point) {
     auto trial = std::make_unique<PatchTrial>(patch);
     const std::array<Halfedge, 3> sides = sides_of(patch.mesh, point.corners);
-    Vertex born = Mesh::null_vertex();
-    for (int i = 0; i < 3 && !born.is_valid(); ++i)
+    Vertex inserted = Mesh::null_vertex();
+    for (int i = 0; i < 3 && !inserted.is_valid(); ++i)
         if (point.weights[(i + 2) % 3] < on_side)
-            born = trial->split_edge(sides[i], point.weights[(i + 1) % 3] / (1 - point.weights[(i + 2) % 3]));
-    if (!born.is_valid()) {
+            inserted =
+                trial->split_edge(sides[i], point.weights[(i + 1) % 3] / (1 - point.weights[(i + 2) % 3]));
+    if (!inserted.is_valid()) {
         const Face face = patch.mesh.face(sides[0]);
         const std::array<Vertex, 3> corners = face_corners(patch.mesh, face);
         Vector3d weights;
         for (int i = 0; i < 3; ++i) weights[corner_number(corners, point.corners[i])] = point.weights[i];
-        born = trial->split_face(face, weights);
+        inserted = trial->split_face(face, weights);
     }
-    return plain_candidate(std::move(trial), born, AdvancedEdge::Way::cut, 0);
+    return plain_candidate(std::move(trial), inserted, AdvancedEdge::Way::cut, 0);
 }
 
 std::vector<Vertex> centres_at(const Mesh& mesh, const SurfacePoint& point) {
@@ -103,7 +104,7 @@ PlacedVertex place_vertex(Mesh& mesh, const SurfacePoint& point, double near, co
     for (const int i : order)
         if (options.snap && may_move(patch, i, local))
             snaps.push_back(moved_corner(patch, local.corners[i], local));
-    cuts.push_back(born_vertex(patch, local));
+    cuts.push_back(inserted_vertex(patch, local));
     AdvanceOptions best = options;
     best.always_straight = true;
     const Candidate choice = chosen(std::move(snaps), std::move(cuts), best);

@@ -136,8 +136,8 @@ std::size_t join_near_points(PolygonSoup& soup, double distance) {
     const auto [ends, mean_side] = border_of(soup);
     if (ends.empty()) return 0;
     if (!(2 * distance < mean_side))
-        throw Error(soup.file.string() + ": vertices that are " + number_words(distance) +
-                    " apart in the file would be joined, but border edges are " + number_words(mean_side) +
+        throw Error(soup.file.string() + ": vertices that are " + number_text(distance) +
+                    " apart in the file would be joined, but border edges are " + number_text(mean_side) +
                     " long on average: give a smaller distance");
     const PointGrid grid(soup.points, ends, mean_side);
     std::vector<std::size_t> first = numbers_from_0(soup.points.size());

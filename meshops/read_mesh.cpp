@@ -41,7 +41,7 @@ struct Reading {
         const auto& [a, b, c] = soup.triangles[triangle];
         return vertex(a) + ", " + vertex(b) + " and " + vertex(c) + " at " + middle(soup.triangles[triangle]);
     }
-    std::string middle(std::span<const std::uint32_t> points) const { return middle_words(soup, points); }
+    std::string middle(std::span<const std::uint32_t> points) const { return middle_text(soup, points); }
     /// Advice such as "; `repair = true` on the mesh drops such triangles", or to mend the file if repair
     /// cannot be requested.
     std::string advice(const std::string& what) const {
@@ -69,7 +69,7 @@ struct Reading {
     void turn_outward();
     void tell_bare() const;
     /// wanted: number of points that are not joined to others.
-    void tell_unused(std::size_t wanted) const;
+    void report_unused(std::size_t wanted) const;
     Mesh build() const;
     void give_attributes(Mesh& mesh) const;
 };
@@ -124,7 +124,7 @@ void Reading::remove_repeated() {
 
 void Reading::divide_edges() {
     if (!(options.join_distance > 0)) return;
-    const std::size_t divided = divide_at_junctions(soup, options.join_distance);
+    const std::size_t divided = split_at_junctions(soup, options.join_distance);
     if (divided > 0) warn(counted(divided, "edge") + " divided by vertices that lie on them");
 }
 
@@ -185,7 +185,7 @@ void Reading::turn_outward() {
     }
     warn(counted(found.size(), "face") +
          " turned over, of closed parts that were inside out (the first: " + place(found[0]) + ")");
-    for (const std::size_t triangle : found) turn_over(soup, triangle);
+    for (const std::size_t triangle : found) reverse_triangle(soup, triangle);
 }
 
 void Reading::tell_bare() const {
@@ -195,7 +195,7 @@ void Reading::tell_bare() const {
     if (bare > 0) warn(counted(bare, "face") + " given texture coordinates (0, 0)");
 }
 
-void Reading::tell_unused(std::size_t wanted) const {
+void Reading::report_unused(std::size_t wanted) const {
     const std::size_t unused =
         wanted - static_cast<std::size_t>(std::ranges::count(used_points(polygons), true));
     if (unused == 0) return;
@@ -212,7 +212,7 @@ std::pair<std::size_t, std::string> Reading::join_points() {
         const bool is_near = options.join_distance > 0;
         if (is_near) joined += join_near_points(polygons, options.join_distance);
         const std::string where = is_near
-                                      ? " within " + number_words(options.join_distance * options.unit) + " m"
+                                      ? " within " + number_text(options.join_distance * options.unit) + " m"
                                       : " at the same place";
         return {joined, joined == 0 ? "" : counted(joined, "vertex") + " joined with another" + where};
     }
@@ -291,7 +291,7 @@ Mesh read_mesh(const std::filesystem::path& file, const ReadMeshOptions& options
     if (reading.soup.triangles.empty())
         throw Error(file.string() + ": the mesh has no faces left: none has three corners");
     reading.tell_bare();
-    reading.tell_unused(polygons.points.size() - joined);
+    reading.report_unused(polygons.points.size() - joined);
     reading.divide_edges();
     reading.remove_zero_area();
     reading.remove_repeated();

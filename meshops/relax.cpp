@@ -64,7 +64,7 @@ void move_to_centroids(const Surface& surface, const std::vector<Vector3d>& plac
         }
     }
     for (std::size_t i = points.fixed; i < points.parameter.size(); ++i) {
-        if (!(weight[i] > 0)) fail_to_generate();  // the point is in no triangle
+        if (!(weight[i] > 0)) throw_generation_error();  // the point is in no triangle
         points.parameter[i] = surface.project(moment[i] / weight[i], points.parameter[i]);
     }
 }
@@ -76,7 +76,7 @@ Mesh build(const std::vector<Vector3d>& place, const std::vector<Corners>& trian
         std::array<Vertex, 3> face;
         std::ranges::transform(corners, face.begin(),
                                [](std::size_t i) { return Vertex(static_cast<Mesh::size_type>(i)); });
-        if (mesh.add_face(face) == Mesh::null_face()) fail_to_generate();
+        if (mesh.add_face(face) == Mesh::null_face()) throw_generation_error();
     }
     return mesh;
 }

@@ -47,8 +47,8 @@ Vector2d place_in(const UnfoldedFan& fan, const Mesh& mesh, Vertex centre, const
 }
 
 template <class Element>
-std::vector<typename Born<Element>::Parent> parents_of(const std::map<Element, double>& weights) {
-    std::vector<typename Born<Element>::Parent> parents;
+std::vector<typename WithParents<Element>::Parent> parents_of(const std::map<Element, double>& weights) {
+    std::vector<typename WithParents<Element>::Parent> parents;
     for (const auto& [element, weight] : weights) parents.push_back({element, weight});
     std::ranges::stable_sort(parents, [](const auto& a, const auto& b) { return a.weight > b.weight; });
     return parents;
@@ -69,7 +69,7 @@ void Retriangulation::replace(Face face) {
     shares[face] = {{face, 1}};
 }
 
-void Retriangulation::pass_on(const std::map<Face, Fractions>& received) {
+void Retriangulation::distribute_fractions(const std::map<Face, Fractions>& received) {
     std::map<Face, Fractions> now;
     for (const auto& [face, parts] : received) {
         Fractions& fractions = now[face];
@@ -98,15 +98,15 @@ void Retriangulation::put(Vertex vertex, const VertexWeights& weights) {
 }
 
 void Retriangulation::add_edges(Edge half, Edge copy) {
-    for (std::size_t e = old_edges + born_edges.size(); e < mesh.number_of_edges(); ++e)
-        born_edges.push_back({Edge(static_cast<Mesh::size_type>(e)), {}});
+    for (std::size_t e = old_edges + inserted_edges.size(); e < mesh.number_of_edges(); ++e)
+        inserted_edges.push_back({Edge(static_cast<Mesh::size_type>(e)), {}});
     if (!copy.is_valid()) return;
-    std::vector<Born<Edge>::Parent> parents{{half, 1}};
+    std::vector<WithParents<Edge>::Parent> parents{{half, 1}};
     if (half.idx() >= old_edges)
-        parents = born_edges[half.idx() - old_edges].parents;
+        parents = inserted_edges[half.idx() - old_edges].parents;
     else if (std::ranges::count(turned, half) > 0)
         parents.clear();
-    born_edges[copy.idx() - old_edges].parents = parents;
+    inserted_edges[copy.idx() - old_edges].parents = parents;
 }
 
 Vertex Retriangulation::split_edge(Halfedge h, double t) {
@@ -132,7 +132,7 @@ Vertex Retriangulation::split_edge(Halfedge h, double t) {
         }
     }
     add_edges(Edge(), Edge());
-    pass_on(received);
+    distribute_fractions(received);
     return created;
 }
 
@@ -149,7 +149,7 @@ Vertex Retriangulation::split_face(Face face, const Vector3d& weights) {
     for (const Face part : mesh.faces_around_target(mesh.halfedge(created)))
         for (int i = 0; i < 3; ++i)
             if (!has_corner(mesh, part, corners[i])) received[part][face] = weights[i];
-    pass_on(received);
+    distribute_fractions(received);
     return created;
 }
 
@@ -190,9 +190,9 @@ void Retriangulation::flip(Edge edge) {
     for (const int i : {0, 1})
         for (const int j : {0, 1})
             if (parts(i, j) > 0) received[faces[i]][faces[j]] = parts(i, j);
-    pass_on(received);
+    distribute_fractions(received);
     if (edge.idx() >= old_edges)
-        born_edges[edge.idx() - old_edges].parents.clear();
+        inserted_edges[edge.idx() - old_edges].parents.clear();
     else if (std::ranges::count(turned, edge) == 0)
         turned.push_back(edge);
 }
@@ -216,7 +216,7 @@ void Retriangulation::move(Vertex vertex, const SurfacePoint& place) {
         for (std::size_t j = 0; j < fan.faces.size(); ++j)
             if (parts(i, j) > 0) received[fan.faces[i]][fan.faces[j]] = parts(i, j);
     put(vertex, weights);
-    pass_on(received);
+    distribute_fractions(received);
 }
 
 std::vector<Face> Retriangulation::changed_faces() const {
@@ -225,7 +225,7 @@ std::vector<Face> Retriangulation::changed_faces() const {
     return faces;
 }
 
-Vector3d Retriangulation::ancestral_normal(Face face) const {
+Vector3d Retriangulation::parent_normal(Face face) const {
     Vector3d sum = Vector3d::Zero();
     for (const auto& [old, share] : shares.at(face)) sum += share * old_faces.at(old).normal;
     return sum;
@@ -236,7 +236,7 @@ TopologyChange Retriangulation::finish() {
     for (const auto& [vertex, weights] : places)
         (vertex.idx() < old_vertices ? change.moved : change.vertices)
             .push_back({vertex, parents_of(weights)});
-    change.edges = born_edges;
+    change.edges = inserted_edges;
     change.flipped = turned;
     std::ranges::sort(change.flipped);
     for (const auto& [face, fractions] : shares) {

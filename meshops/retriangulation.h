@@ -45,7 +45,7 @@ class Retriangulation {
     std::vector<Face> changed_faces() const;  ///< replaced and inserted faces, ascending
     bool is_changed(Face face) const { return shares.contains(face); }
     /// Sum of the normals of a face's parents, weighted by the areas that have passed to the face, m^2.
-    Eigen::Vector3d ancestral_normal(Face face) const;
+    Eigen::Vector3d parent_normal(Face face) const;
     /// Position of a vertex before all changes, m; for an inserted vertex, its present position.
     Eigen::Vector3d old_position(Vertex vertex) const;
 
@@ -58,7 +58,7 @@ class Retriangulation {
     using VertexWeights = std::map<Vertex, double>;
 
     void replace(Face face);
-    void pass_on(const std::map<Face, Fractions>& received);
+    void distribute_fractions(const std::map<Face, Fractions>& received);
     void add_edges(Edge half, Edge copy);
     VertexWeights weights_of(Vertex vertex) const;
     void put(Vertex vertex, const VertexWeights& weights);
@@ -69,7 +69,7 @@ class Retriangulation {
     std::map<Face, Fractions> shares;          ///< fractions of old faces in each changed face
     std::map<Vertex, VertexWeights> places;    ///< weights of old vertices in each inserted or moved vertex
     std::map<Vertex, Eigen::Vector3d> origin;  ///< old position of each moved vertex
-    std::vector<Born<Edge>> born_edges;
+    std::vector<WithParents<Edge>> inserted_edges;
     std::vector<Edge> turned;
 };
 

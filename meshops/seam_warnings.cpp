@@ -19,10 +19,10 @@ struct SeamWarnings {
     const TriangleSoup& soup;
     const ReadMeshOptions& options;
 
-    std::string metres(double length) const { return number_words(length * options.unit) + " m"; }
+    std::string metres(double length) const { return number_text(length * options.unit) + " m"; }
     std::string vertex(std::uint32_t point) const { return std::to_string(soup.file_vertex[point]); }
     std::string edge(const std::array<std::uint32_t, 2>& ends) const {
-        return "vertices " + vertex(ends[0]) + " and " + vertex(ends[1]) + " at " + middle_words(soup, ends);
+        return "vertices " + vertex(ends[0]) + " and " + vertex(ends[1]) + " at " + middle_text(soup, ends);
     }
     double length(std::uint32_t a, std::uint32_t b) const {
         return std::sqrt(CGAL::squared_distance(soup.points[a], soup.points[b]));
@@ -47,7 +47,7 @@ std::string SeamWarnings::advice(double gap) const {
     const double distance = std::max(2 * gap, least * mean_edge()) * options.unit;
     const double digit = std::pow(10, std::floor(std::log10(distance)));
     constexpr double round_off = 1e-6;
-    return "`join = " + number_words(std::ceil(distance / digit - round_off) * digit) + "` (m) on the mesh";
+    return "`join = " + number_text(std::ceil(distance / digit - round_off) * digit) + "` (m) on the mesh";
 }
 
 std::string SeamWarnings::on_seams() const {

@@ -203,7 +203,7 @@ class JunctionDivision {
 
 }  // namespace
 
-std::size_t divide_at_junctions(TriangleSoup& soup, double distance) {
+std::size_t split_at_junctions(TriangleSoup& soup, double distance) {
     std::vector<Junction> found = junctions(soup, 1, distance);
     std::size_t edges = 0;
     for (std::size_t i = 0; i < found.size(); ++i) edges += i == 0 || found[i].edge != found[i - 1].edge;

@@ -33,6 +33,6 @@ std::vector<Junction> junctions(const TriangleSoup& soup, double share, double d
 
 /// Divides edges at the points on them (junctions() up to `distance`) and interpolates texture coordinates.
 /// Returns the number of divided edges.
-std::size_t divide_at_junctions(TriangleSoup& soup, double distance);
+std::size_t split_at_junctions(TriangleSoup& soup, double distance);
 
 }  // namespace sherd

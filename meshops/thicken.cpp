@@ -108,7 +108,7 @@ struct Sides {
     bool touch(std::size_t a, std::size_t b) const {
         return (points[a] - points[b]).norm() < crack_width * around[a].thickness();
     }
-    bool together(std::size_t a, std::size_t b) const {
+    bool coincident(std::size_t a, std::size_t b) const {
         const double turn = angle_between(around[a].direction, around[b].direction);
         return touch(a, b) ? turn < largest_turn_touching
                            : turn < largest_turn &&
@@ -128,7 +128,7 @@ void align(std::vector<std::size_t> points, const Sides& before, Sides& sides) {
     while (points.size() > 1) {
         const std::size_t first = points.front();
         const auto apart = std::stable_partition(points.begin(), points.end(), [&](std::size_t i) {
-            return i == first || before.together(first, i);
+            return i == first || before.coincident(first, i);
         });
         Vector3d direction = Vector3d::Zero();
         for (auto i = points.begin(); i != apart; ++i) direction += before.around[*i].direction;

@@ -9,7 +9,7 @@ namespace sherd {
 
 /// An inserted element of a mesh, and its parents: the elements before the change whose data it inherits.
 template <class Element>
-struct Born {
+struct WithParents {
     struct Parent {
         Element element;
         double weight;
@@ -26,7 +26,7 @@ struct Born {
 
 /// Returns `created` as a copy of `parent`.
 template <class Element>
-Born<Element> copy_of(Element parent, Element created) {
+WithParents<Element> copy_of(Element parent, Element created) {
     return {created, {{parent, 1}}};
 }
 
@@ -43,16 +43,17 @@ struct TopologyChange {
         Face face;
         /// Old faces, each with the fraction of its area that has passed on to `face`, the largest fraction
         /// first. The fractions of an old face in all reshaped faces sum to 1.
-        std::vector<Born<Face>::Parent> shares;
+        std::vector<WithParents<Face>::Parent> shares;
     };
-    std::vector<Born<Vertex>> vertices;
-    std::vector<Born<Edge>> edges;
-    std::vector<Born<Face>> faces;
-    std::vector<OpenedEdge> opened;   ///< each `created` is one of `edges`
-    std::vector<Face> changed;        ///< old faces with a new corner, side or shape; ascending, each once
-    std::vector<Born<Vertex>> moved;  ///< old vertices at a new place of the sheet; ascending, each once
-    std::vector<Edge> flipped;        ///< old edges that now join other vertices; ascending, each once
-    std::vector<Reshaped> reshaped;   ///< ascending, each once
+    std::vector<WithParents<Vertex>> vertices;
+    std::vector<WithParents<Edge>> edges;
+    std::vector<WithParents<Face>> faces;
+    std::vector<OpenedEdge> opened;  ///< each `created` is one of `edges`
+    std::vector<Face> changed;       ///< old faces with a new corner, side or shape; ascending, each once
+    std::vector<WithParents<Vertex>>
+        moved;                       ///< old vertices at a new place of the sheet; ascending, each once
+    std::vector<Edge> flipped;       ///< old edges that now join other vertices; ascending, each once
+    std::vector<Reshaped> reshaped;  ///< ascending, each once
 };
 
 }  // namespace sherd

@@ -58,11 +58,11 @@ std::vector<std::size_t> repeated_triangles(const TriangleSoup& soup) {
     return result;
 }
 
-std::string middle_words(const TriangleSoup& soup, std::span<const std::uint32_t> points) {
+std::string middle_text(const TriangleSoup& soup, std::span<const std::uint32_t> points) {
     std::array<double, 3> sum{};
     for (const std::uint32_t point : points)
         for (int i = 0; i < 3; ++i) sum[i] += soup.points[point][i];
-    const auto mean = [&](int i) { return number_words(sum[i] / static_cast<double>(points.size())); };
+    const auto mean = [&](int i) { return number_text(sum[i] / static_cast<double>(points.size())); };
     return "(" + mean(0) + ", " + mean(1) + ", " + mean(2) + ")";
 }
 
@@ -95,7 +95,7 @@ std::vector<NonManifoldEdge> non_manifold_edges(const TriangleSoup& soup) {
     return result;
 }
 
-void turn_over(TriangleSoup& soup, std::size_t triangle) {
+void reverse_triangle(TriangleSoup& soup, std::size_t triangle) {
     std::swap(soup.triangles[triangle][1], soup.triangles[triangle][2]);
     if (!soup.texture.empty()) std::swap(soup.texture[triangle][1], soup.texture[triangle][2]);
 }
@@ -103,17 +103,17 @@ void turn_over(TriangleSoup& soup, std::size_t triangle) {
 Orientation orient(TriangleSoup& soup) {
     const auto adjacent = neighbours(soup);
     Orientation result;
-    enum class State : char { unseen, kept, turned };
-    std::vector<State> state(soup.triangles.size(), State::unseen);
+    enum class State : char { unvisited, kept, turned };
+    std::vector<State> state(soup.triangles.size(), State::unvisited);
     for (std::size_t seed = 0; seed < state.size(); ++seed) {
-        if (state[seed] != State::unseen) continue;
+        if (state[seed] != State::unvisited) continue;
         state[seed] = State::kept;
         std::vector<std::size_t> component{seed};
         for (std::size_t i = 0; i < component.size(); ++i) {
             for (const auto& [other, agrees] : adjacent[component[i]]) {
                 const bool is_turned = (state[component[i]] == State::turned) == agrees;
                 const State wanted = is_turned ? State::turned : State::kept;
-                if (state[other] == State::unseen) {
+                if (state[other] == State::unvisited) {
                     state[other] = wanted;
                     component.push_back(other);
                 } else if (state[other] != wanted && !result.one_sided) {
@@ -129,7 +129,7 @@ Orientation orient(TriangleSoup& soup) {
     }
     std::ranges::sort(result.turned);
     if (result.one_sided) return result;
-    for (const std::size_t triangle : result.turned) turn_over(soup, triangle);
+    for (const std::size_t triangle : result.turned) reverse_triangle(soup, triangle);
     return result;
 }
 

@@ -32,7 +32,7 @@ std::vector<std::size_t> zero_area_triangles(const TriangleSoup& soup);
 /// Triangles with the same three points as an earlier one, ascending.
 std::vector<std::size_t> repeated_triangles(const TriangleSoup& soup);
 /// The mean of points as "(0.1, 0.02, 0.03)", in the file's unit.
-std::string middle_words(const TriangleSoup& soup, std::span<const std::uint32_t> points);
+std::string middle_text(const TriangleSoup& soup, std::span<const std::uint32_t> points);
 void erase_triangles(TriangleSoup& soup, const std::vector<std::size_t>& ascending);
 
 /// An edge where three or more triangles meet.
@@ -51,6 +51,6 @@ struct Orientation {
 };
 Orientation orient(TriangleSoup& soup);
 /// Turns a triangle over, about its first corner.
-void turn_over(TriangleSoup& soup, std::size_t triangle);
+void reverse_triangle(TriangleSoup& soup, std::size_t triangle);
 
 }  // namespace sherd

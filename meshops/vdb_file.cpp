@@ -10,7 +10,7 @@
 #include <system_error>
 
 #include "meshops/error.h"
-#include "meshops/rehearsal.h"
+#include "meshops/isolated_run.h"
 
 namespace sherd {
 namespace {
@@ -45,10 +45,10 @@ openvdb::GridPtrVec read_grids_safely(const std::filesystem::path& file) {
     // An empty node has 30 times as many bytes in memory as in a file; a core reads 100 MB/s, and a tenth of
     // it with sanitizers.
     const std::uint64_t size = std::filesystem::file_size(file, ignored);
-    const RehearsalLimits limits{.memory = (std::uint64_t(1) << 30) + 256 * size,
+    const IsolationLimits limits{.memory = (std::uint64_t(1) << 30) + 256 * size,
                                  .seconds = 5 + size / 2'000'000};
-    rehearse([&] { read_grids(file); }, limits,
-             "damaged OpenVDB file, or not OpenVDB at all: it makes OpenVDB crash or read without end");
+    run_isolated([&] { read_grids(file); }, limits,
+                 "damaged OpenVDB file, or not OpenVDB at all: it makes OpenVDB crash or read without end");
     return read_grids(file);
 }
 

@@ -8,8 +8,8 @@
 #include "app/bench/explicit_cost.h"
 #include "app/bench/newton_cost.h"
 #include "app/bench/shell_run.h"
+#include "app/messages/print.h"
 #include "app/scene/read/scene.h"
-#include "app/words/print.h"
 
 namespace sherd {
 namespace {

@@ -12,9 +12,9 @@
 #include "app/bench/solver_choice.h"
 #include "app/bench/table_head.h"
 #include "app/chart/chart_page.h"
+#include "app/messages/print.h"
 #include "app/scene/read/scene.h"
 #include "app/scene/read/shipped_scenes.h"
-#include "app/words/print.h"
 
 namespace sherd {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdio>
 
 #include "app/bench/fracture_run.h"
-#include "app/words/print.h"
+#include "app/messages/print.h"
 #include "meshops/error.h"
 
 namespace sherd {

@@ -18,9 +18,9 @@
 #include "app/bench/shell_run.h"
 #include "app/files/pending_file.h"
 #include "app/json/json.h"
+#include "app/messages/print.h"
 #include "app/number_check.h"
 #include "app/program.h"
-#include "app/words/print.h"
 #include "meshops/error.h"
 
 namespace sherd {

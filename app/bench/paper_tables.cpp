@@ -12,7 +12,7 @@
 #include "app/bench/statistics.h"
 #include "app/bench/table_head.h"
 #include "app/chart/chart_page.h"
-#include "app/words/print.h"
+#include "app/messages/print.h"
 #include "meshops/error.h"
 
 namespace sherd {

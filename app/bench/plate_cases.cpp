@@ -7,7 +7,7 @@
 
 #include "app/bench/elastica.h"
 #include "app/bench/face_moments.h"
-#include "app/bench/scene_words.h"
+#include "app/bench/scene_snippets.h"
 #include "app/bench/shell_case.h"
 
 namespace sherd {

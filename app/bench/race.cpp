@@ -19,7 +19,7 @@ class Runner {
     }
 
     /// Goes on to this time, if it is still in the race, unless it has taken `most_seconds` then.
-    StepCost go_on(double end, double most_seconds) {
+    StepCost resume(double end, double most_seconds) {
         if (!is_racing()) return {};
         const StepCost cost = run.advance_to(end, most_seconds - seconds);
         seconds += cost.seconds;
@@ -46,12 +46,12 @@ std::vector<Runner> settled(const std::vector<Scene>& scenes, const RaceOptions&
     std::vector<Runner> runners;
     runners.reserve(scenes.size());
     for (const Scene& scene : scenes) {
-        forget_peak_memory();
+        reset_peak_memory();
         const double before = resident_memory();
         Runner& runner = runners.emplace_back(scene, start);
         const bool first = runners.size() == 1;
-        runner.go_on(options.settling * options.step,
-                     first ? no_limit : options.allowance * runners[0].seconds_so_far());
+        runner.resume(options.settling * options.step,
+                      first ? no_limit : options.allowance * runners[0].seconds_so_far());
         runner.result.memory = std::max(0.0, peak_memory() - before);
     }
     return runners;
@@ -73,8 +73,8 @@ std::vector<RaceResult> race(const std::vector<Scene>& scenes, const RaceOptions
             if (!runner.is_racing()) continue;
             const bool first = &runner == &runners[0];
             runner.result.laps.push_back(
-                runner.go_on((options.settling + lap) * options.step,
-                             first ? no_limit : options.allowance * runners[0].seconds_so_far()));
+                runner.resume((options.settling + lap) * options.step,
+                              first ? no_limit : options.allowance * runners[0].seconds_so_far()));
         }
     std::vector<RaceResult> results;
     for (Runner& runner : runners) {

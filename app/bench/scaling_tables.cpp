@@ -16,8 +16,8 @@
 #include "app/bench/table_head.h"
 #include "app/chart/chart_page.h"
 #include "app/machine/memory.h"
+#include "app/messages/print.h"
 #include "app/scene/read/scene.h"
-#include "app/words/print.h"
 
 namespace sherd {
 namespace {

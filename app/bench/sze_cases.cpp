@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/bench/scene_words.h"
+#include "app/bench/scene_snippets.h"
 #include "app/bench/shell_case.h"
 
 namespace sherd {

@@ -104,12 +104,12 @@ std::string frame_svg(const Chart& chart, const Scale& x, const Scale& y) {
     for (const double tick : y.ticks) {
         const double at = y.place(tick / y.prefix.factor);
         svg += line(x.begin, at, x.end, at, grid);
-        svg += text(x.begin - 7, at + 4, tick_words(tick), small + " text-anchor=\"end\"");
+        svg += text(x.begin - 7, at + 4, tick_text(tick), small + " text-anchor=\"end\"");
     }
     for (const double tick : x.ticks) {
         const double at = x.place(tick / x.prefix.factor);
         svg += line(at, y.begin, at, y.begin + 4, "stroke=\"#888\"");
-        svg += text(at, y.begin + 17, tick_words(tick), small + " text-anchor=\"middle\"");
+        svg += text(at, y.begin + 17, tick_text(tick), small + " text-anchor=\"middle\"");
     }
     svg += line(x.begin, y.begin, x.end, y.begin, "stroke=\"#888\"");
     svg += text((x.begin + x.end) / 2, y.begin + 34, axis_words(chart.x, x),

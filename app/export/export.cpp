@@ -54,7 +54,7 @@ ExportReport export_recording(const ExportOptions& options) {
                         error.fault);
         }
     report.warnings = source.warnings;
-    report.pace = source.pace_words;
+    report.pace = source.pace_text;
     return report;
 }
 

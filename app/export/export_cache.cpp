@@ -9,7 +9,7 @@
 #include "app/export/export_clip.h"
 #include "app/export/export_formats.h"
 #include "app/files/point_cache.h"
-#include "app/words/counted.h"
+#include "app/messages/counted.h"
 #include "meshops/material_library.h"
 #include "meshops/raw_bytes.h"
 
@@ -76,8 +76,8 @@ PointTrack sheet_track(const std::shared_ptr<Clip>& clip, const std::vector<doub
     return {mesh, times, [clip](std::size_t i) { return clip->points(i); }};
 }
 
-PointTrack obstacle_track(const ExportSource& source, std::size_t number, const std::vector<Moment>& moments,
-                          const std::vector<double>& times) {
+PointTrack obstacle_track(const ExportSource& source, std::size_t number,
+                          const std::vector<PlaybackTime>& moments, const std::vector<double>& times) {
     TriangleSheet mesh;
     mesh.triangles = source.obstacles()[number].surface.triangles;
     return {mesh, times,
@@ -87,12 +87,12 @@ PointTrack obstacle_track(const ExportSource& source, std::size_t number, const 
 std::vector<ExportJob> plan_cache(ExportSource& source, const char* extension,
                                   std::string (*content)(const PointTrack& track)) {
     const Pace pace = source.pace();
-    const std::vector<Moment> moments = even_moments(source.frames(), source.times(), pace.step());
+    const std::vector<PlaybackTime> moments = even_times(source.frames(), source.times(), pace.step());
     if (source.frames().size() > 1)
-        source.pace_words = fmt::format("{}, {} at {:g} per second", pace.words(),
-                                        counted(moments.size(), "sample"), pace.rate);
+        source.pace_text = fmt::format("{}, {} at {:g} per second", pace.words(),
+                                       counted(moments.size(), "sample"), pace.rate);
     std::vector<double> times;
-    for (const Moment& moment : moments)
+    for (const PlaybackTime& moment : moments)
         times.push_back(pace.slowdown * (moment.time - moments.front().time));
     CachePlan plan{source, extension, content};
     plan.add(sheet_track(std::make_shared<Clip>(source, moments), times), "", true);

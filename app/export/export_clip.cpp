@@ -4,12 +4,12 @@
 #include <utility>
 
 #include "app/export/export_sheet.h"
-#include "app/playback/ancestry.h"
+#include "app/playback/frame_parents.h"
 #include "meshops/thicken.h"
 
 namespace sherd {
 
-Clip::Clip(ExportSource& source, std::vector<Moment> moments_)
+Clip::Clip(ExportSource& source, std::vector<PlaybackTime> moments_)
     : source(source),
       moments(std::move(moments_)),
       playback([&source](std::size_t number) { return source.frame(number); }),
@@ -18,7 +18,7 @@ Clip::Clip(ExportSource& source, std::vector<Moment> moments_)
 
 std::vector<Vector3d> Clip::sheet_points(std::size_t i) {
     const Snapshot frame = playback.at(moments[i]);
-    const Positions places = ancestry(frame, last_frame).carried(frame.position);
+    const Positions places = frame_parents(frame, last_frame).interpolated_from(frame.position);
     return {places.colwise().begin(), places.colwise().end()};
 }
 

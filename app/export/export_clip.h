@@ -11,7 +11,7 @@ namespace sherd {
 class Clip {
   public:
     /// moments: at or between the chosen frames; the last moment is the last frame.
-    Clip(ExportSource& source, std::vector<Moment> moments);
+    Clip(ExportSource& source, std::vector<PlaybackTime> moments);
 
     std::size_t size() const { return moments.size(); }
     /// Returns the last frame, a solid if the options ask for it; groups are fragments.
@@ -24,7 +24,7 @@ class Clip {
 
   private:
     ExportSource& source;
-    std::vector<Moment> moments;
+    std::vector<PlaybackTime> moments;
     Playback playback;
     TriangleSheet last;
     Snapshot last_frame;

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "app/export/export.h"
-#include "app/words/split.h"
+#include "app/messages/split.h"
 #include "meshops/error.h"
 
 namespace sherd {

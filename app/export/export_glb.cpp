@@ -227,8 +227,8 @@ void Animation::add_obstacles(GlbScene& scene) {
 }  // namespace
 
 std::vector<ExportJob> plan_glb(ExportSource& source) {
-    if (source.frames().size() > 1) source.pace_words = source.pace().words();
-    const auto clip = std::make_shared<Clip>(source, recorded_moments(source.frames(), source.times()));
+    if (source.frames().size() > 1) source.pace_text = source.pace().words();
+    const auto clip = std::make_shared<Clip>(source, recorded_times(source.frames(), source.times()));
     return {{source.clip_file(".glb"),
              [&source, clip] { return glb_bytes(Animation(source, *clip).scene(), source.warnings); }}};
 }

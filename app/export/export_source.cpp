@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 ExportSource::ExportSource(const ExportOptions& options_, const std::string& extension, bool all_frames)
     : options(options_), recording(options.recording), playback(recording) {
-    if (!recording.mended().empty()) warnings.push_back(recording.mended());
+    if (!recording.recovery().empty()) warnings.push_back(recording.recovery());
     const std::string wanted = !options.frames.empty() ? options.frames : all_frames ? "all" : "last";
     chosen = selected_frames(wanted, recording.frame_count());
     const RecordingHeader header = recording.header();
@@ -97,13 +97,13 @@ void ExportSource::check_bodies(std::size_t number) {
     }
 }
 
-std::vector<Eigen::Isometry3d> ExportSource::poses(const Moment& moment) const {
+std::vector<Eigen::Isometry3d> ExportSource::poses(const PlaybackTime& moment) const {
     if (interrupted()) throw Error("interrupted", Fault::run);
     return playback.at(moment);
 }
 
 std::vector<Eigen::Isometry3d> ExportSource::poses(std::size_t frame) const {
-    return poses(Moment{frame, frame, 0, recording.time(frame)});
+    return poses(PlaybackTime{frame, frame, 0, recording.time(frame)});
 }
 
 ObstacleShapes ExportSource::shapes(std::size_t frame) const {
@@ -111,10 +111,10 @@ ObstacleShapes ExportSource::shapes(std::size_t frame) const {
 }
 
 TriangleSheet ExportSource::obstacle(std::size_t i, std::size_t frame) const {
-    return obstacle(i, Moment{frame, frame, 0, recording.time(frame)});
+    return obstacle(i, PlaybackTime{frame, frame, 0, recording.time(frame)});
 }
 
-TriangleSheet ExportSource::obstacle(std::size_t i, const Moment& moment) const {
+TriangleSheet ExportSource::obstacle(std::size_t i, const PlaybackTime& moment) const {
     const ExportObstacle& solid = obstacles()[i];
     if (!solid.deforms) return placed(solid.surface, poses(moment)[i]);
     return placed(reshaped(solid.surface, playback.shapes(moment)[i]), poses(moment)[i]);

@@ -47,13 +47,13 @@ class ExportSource {
     const std::vector<ExportObstacle>& obstacles() const { return solids; }
     /// Returns the motions from the frame of each of obstacles() to space, in a frame or between two. Throws
     /// Error (run) when interrupted().
-    std::vector<Eigen::Isometry3d> poses(const Moment& moment) const;
+    std::vector<Eigen::Isometry3d> poses(const PlaybackTime& moment) const;
     std::vector<Eigen::Isometry3d> poses(std::size_t frame) const;
     /// Returns the points of obstacles that deform.
     ObstacleShapes shapes(std::size_t frame) const;
     /// Returns an obstacle in its place in a frame or between two.
     TriangleSheet obstacle(std::size_t i, std::size_t frame) const;
-    TriangleSheet obstacle(std::size_t i, const Moment& moment) const;
+    TriangleSheet obstacle(std::size_t i, const PlaybackTime& moment) const;
     /// Returns the end of the names of an obstacle's files: "_obstacle_ram.ply".
     std::string obstacle_suffix(std::size_t i, const std::string& extension) const;
 
@@ -65,7 +65,7 @@ class ExportSource {
 
     const ExportOptions options;
     std::vector<std::string> warnings;  ///< messages for the user at the end
-    std::string pace_words;             ///< speed at which the run is shown; may be empty
+    std::string pace_text;              ///< speed at which the run is shown; may be empty
 
   private:
     void check_bodies(std::size_t number);

@@ -12,7 +12,7 @@
 #include <thread>
 #include <utility>
 
-#include "app/files/disk_room.h"
+#include "app/files/disk_space.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -25,7 +25,7 @@ constexpr auto pause_between_tries = std::chrono::milliseconds(5);
 DiskFile::DiskFile(std::filesystem::path file_, int flags)
     : file(std::move(file_)), opened(::open(file.c_str(), flags | O_CLOEXEC, 0666)) {
     if (opened >= 0) return;
-    if (disk_is_full(errno)) refuse_room(file, 0, errno);
+    if (disk_is_full(errno)) throw_no_space(file, 0, errno);
     fail("open");
 }
 
@@ -57,7 +57,7 @@ void DiskFile::write(std::uint64_t offset, std::span<const std::byte> bytes) {
         const ssize_t count = ::pwrite(opened, bytes.data(), bytes.size(), static_cast<off_t>(offset));
         if (count < 0 && errno == EINTR) continue;
         if (count <= 0 && disk_is_full(count == 0 ? ENOSPC : errno))
-            refuse_room(file, bytes.size(), count == 0 ? ENOSPC : errno);
+            throw_no_space(file, bytes.size(), count == 0 ? ENOSPC : errno);
         if (count < 0) fail("write to");
         bytes = bytes.subspan(static_cast<std::size_t>(count));
         offset += static_cast<std::uint64_t>(count);

@@ -131,7 +131,7 @@ std::string words_of(const Journal& journal, const DiskFile& file) {
     return "";
 }
 
-std::string mend_locked(const fs::path& file) {
+std::string improve_locked(const fs::path& file) {
     DiskFile opened(file, O_RDWR);
     if (!opened.lock_exclusive()) return "";
     const Bytes bytes = content_of(journal_of(file));
@@ -198,11 +198,11 @@ void apply(const Journal& journal, DiskFile& file) {
     if (file.size() > journal.end) file.resize(journal.end);
 }
 
-std::string mend(const fs::path& file) {
+std::string recover(const fs::path& file) {
     if (!has_journal(file)) return "";
     try {
         const OutputLock lock(file);
-        return mend_locked(file);
+        return improve_locked(file);
     } catch (const Error&) {
         return "";  // another program writes the file, or it is read-only
     }

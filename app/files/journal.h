@@ -34,6 +34,6 @@ void apply(const Journal& journal, DiskFile& file);
 /// Repairs a file that a killed writer has left: applies its journal and removes that. Does nothing while
 /// another program writes or reads the file, if nothing can be written, or without a journal. Returns a
 /// description of the repair for users, or "". OverlaidFile reads files that have not been repaired, too.
-std::string mend(const std::filesystem::path& file);
+std::string recover(const std::filesystem::path& file);
 
 }  // namespace sherd

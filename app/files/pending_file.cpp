@@ -13,7 +13,7 @@
 
 #include "app/files/descriptor.h"
 #include "app/files/disk_file.h"
-#include "app/files/disk_room.h"
+#include "app/files/disk_space.h"
 #include "meshops/text_line.h"
 
 namespace sherd {
@@ -42,7 +42,7 @@ void PendingFile::write(const std::function<void(std::ostream&)>& fill, std::siz
     std::ofstream out(temporary, std::ios::binary);
     fill(out);
     out.close();
-    if (!out) refuse_room(target, size, errno ? errno : ENOSPC);
+    if (!out) throw_no_space(target, size, errno ? errno : ENOSPC);
 }
 
 void PendingFile::write(std::initializer_list<std::string_view> parts) {

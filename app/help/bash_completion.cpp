@@ -9,7 +9,7 @@ namespace sherd {
 namespace {
 
 /// Value in the notation of the script: a word for its kind, then its words.
-std::string value_words(const OptionValue& value) {
+std::string value_text(const OptionValue& value) {
     switch (value.kind) {
         case OptionValue::Kind::words:
             return fmt::format("words {}", fmt::join(value.words, " "));
@@ -43,7 +43,7 @@ std::string option_words(const CLI::App& command) {
 void add_values(std::string& table, const CLI::App& command) {
     const auto add = [&](const std::string& name, const CLI::Option& option) {
         table += fmt::format("        '{} {}') echo '{}' ;;\n", command.get_name(), name,
-                             value_words(option_value(option)));
+                             value_text(option_value(option)));
     };
     for (const CLI::Option* option : shown_options(command, false))
         if (!value_name(*option).empty())

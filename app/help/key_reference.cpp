@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <map>
 
+#include "app/messages/nearest_name.h"
+#include "app/messages/wrapped.h"
 #include "app/scene/read/scene.h"
-#include "app/words/nearest_name.h"
-#include "app/words/wrapped.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -54,9 +54,9 @@ std::string integer_words(const Range& range) {
 }
 
 std::string key_lines(const std::string& name, const KeyText& key, std::size_t width, std::size_t columns) {
-    std::string note = default_words(key);
+    std::string note = default_text(key);
     if (!note.empty()) note = (key.info.rules.required ? "; " : "; default: ") + note;
-    std::string text = fmt::format("{}{}. {}", value_words(key.info), note, key.info.sentence);
+    std::string text = fmt::format("{}{}. {}", value_text(key.info), note, key.info.sentence);
     std::erase(text, '`');  // quotes of Markdown
     const std::size_t indent = width + 4;
     return fmt::format("  {:<{}}  {}\n", name, width,
@@ -85,8 +85,8 @@ std::string section_table(const PlacedSection& placed) {
     table += fmt::format("{}:\n\n| key | value | default | meaning |\n| --- | --- | --- | --- |\n",
                          placed.section.title);
     for (const KeyText& key : placed.section.keys)
-        table += fmt::format("| `{}` | {} | {} | {} |\n", key.info.name, cell(value_words(key.info)),
-                             cell(default_words(key)), cell(std::string(key.info.sentence)));
+        table += fmt::format("| `{}` | {} | {} | {} |\n", key.info.name, cell(value_text(key.info)),
+                             cell(default_text(key)), cell(std::string(key.info.sentence)));
     return table;
 }
 
@@ -159,7 +159,7 @@ std::vector<PlacedSection> scene_sections() {
     return all;
 }
 
-std::string value_words(const KeyInfo& key) {
+std::string value_text(const KeyInfo& key) {
     const KeyRules& rules = key.rules;
     const std::vector<std::string> names = quoted(rules.choices);
     std::vector<std::string> words;
@@ -185,7 +185,7 @@ std::string value_words(const KeyInfo& key) {
     return joined_words(words) + (rules.unit.empty() ? "" : fmt::format(" ({})", rules.unit));
 }
 
-std::string default_words(const KeyText& key) {
+std::string default_text(const KeyText& key) {
     if (key.info.rules.required) return "required";
     return key.info.rules.otherwise.empty() ? key.fallback : std::string(key.info.rules.otherwise);
 }

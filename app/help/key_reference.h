@@ -19,10 +19,10 @@ struct PlacedSection {
 std::vector<PlacedSection> scene_sections();
 
 /// Allowed values of a key: "a positive number (m)", "\"hue\" or \"vector\"".
-std::string value_words(const KeyInfo& key);
+std::string value_text(const KeyInfo& key);
 
 /// Default of a key: "required", "0.3"; empty: not documented.
-std::string default_words(const KeyText& key);
+std::string default_text(const KeyText& key);
 
 /// Reference of the keys of scenes in lines of at most `columns` characters; 0: of any length. wanted: a
 /// table, "solver" or "sheet.fracture", "scene" for the outermost, or a key of it, "solver.step"; empty: all.

@@ -5,7 +5,7 @@
 #include <cctype>
 #include <string_view>
 
-#include "app/words/split.h"
+#include "app/messages/split.h"
 
 namespace sherd {
 namespace {

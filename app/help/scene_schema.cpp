@@ -72,7 +72,7 @@ Json value_schema(const KeyText& key) {
 
 Json key_schema(const KeyText& key) {
     Json schema = value_schema(key);
-    const std::string without = default_words(key);
+    const std::string without = default_text(key);
     std::string text(key.info.sentence);
     if (!key.info.rules.unit.empty()) text += " (" + std::string(key.info.rules.unit) + ")";
     if (!without.empty()) text += key.info.rules.required ? "; required" : "; default: " + without;

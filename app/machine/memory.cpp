@@ -36,7 +36,7 @@ double peak_memory() {
     return 1024.0 * static_cast<double>(usage.ru_maxrss);
 }
 
-void forget_peak_memory() {
+void reset_peak_memory() {
     malloc_trim(0);
     std::ofstream("/proc/self/clear_refs") << 5;  // proc(5): resets the peak to the resident memory
 }

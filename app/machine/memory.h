@@ -5,10 +5,10 @@ namespace sherd {
 
 double machine_memory();   ///< bytes, memory of the machine
 double resident_memory();  ///< bytes, memory of this program now
-double peak_memory();      ///< bytes, largest memory since its start, or since forget_peak_memory()
+double peak_memory();      ///< bytes, largest memory since its start, or since reset_peak_memory()
 
 /// Returns free memory to the system, and resets peak_memory(). Linux may not allow this.
-void forget_peak_memory();
+void reset_peak_memory();
 
 /// Bytes per second that one thread reads from an array larger than any cache: the largest of several rounds.
 double memory_bandwidth();

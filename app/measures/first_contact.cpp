@@ -34,8 +34,8 @@ double first_touch(const Recording& recording, const std::string& name) {
     throw Error(fmt::format("--about {}: the obstacle has touched nothing", name));
 }
 
-Moment moment_at(const Recording& recording, double time) {
-    Moment moment{.time = time};
+PlaybackTime moment_at(const Recording& recording, double time) {
+    PlaybackTime moment{.time = time};
     while (moment.later + 1 < recording.frame_count() && recording.time(moment.later) < time) ++moment.later;
     const double late = recording.time(moment.later);
     if (late <= time) return {moment.later, moment.later, 0, time};
@@ -47,7 +47,7 @@ Moment moment_at(const Recording& recording, double time) {
 }
 
 NearestTriangle surface_at(const Recording& recording, const std::vector<RecordedObstacle>& obstacles,
-                           std::size_t number, const Moment& moment) {
+                           std::size_t number, const PlaybackTime& moment) {
     const ObstaclePlayback playback(recording);
     const Eigen::Isometry3d pose =
         obstacles[number].deforms ? Eigen::Isometry3d::Identity() : playback.at(moment)[number];
@@ -65,7 +65,7 @@ Vector3d first_contact(const Recording& recording, const std::string& name) {
     const std::string obstacle = name.starts_with(prefix) ? name.substr(prefix.size()) : name;
     const std::vector<RecordedObstacle> obstacles = recording.obstacles();
     const std::size_t number = number_of(obstacles, obstacle);
-    const Moment moment = moment_at(recording, first_touch(recording, obstacle));
+    const PlaybackTime moment = moment_at(recording, first_touch(recording, obstacle));
     const NearestTriangle surface = surface_at(recording, obstacles, number, moment);
     const Snapshot frame = Playback([&](std::size_t number) { return recording.frame(number); }).at(moment);
     double least = std::numeric_limits<double>::infinity();

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "app/json/json.h"
-#include "app/words/counted.h"
+#include "app/messages/counted.h"
 #include "meshops/error.h"
 #include "meshops/nearest_triangle.h"
 

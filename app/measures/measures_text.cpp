@@ -4,9 +4,9 @@
 #include <iterator>
 
 #include "app/measures/measures.h"
-#include "app/words/counted.h"
-#include "app/words/moment_words.h"
-#include "app/words/place_words.h"
+#include "app/messages/counted.h"
+#include "app/messages/place_text.h"
+#include "app/messages/time_text.h"
 
 namespace sherd {
 namespace {
@@ -52,7 +52,7 @@ void add_crack_rows(std::string& text, const Measures& measures) {
     if (!measures.about) return;
     const CracksAbout& about = *measures.about;
     fmt::format_to(out, "radial       {:g} cracks about {}, median;", about.radial(),
-                   place_words(about.point));
+                   place_text(about.point));
     for (const auto& [radius, cracks] : about.circles) fmt::format_to(out, " {} at {:.3g} m", cracks, radius);
     fmt::format_to(out, "\nrings        {:g} cracks about it, median of {} rays:", about.ring(),
                    about.rays.size());
@@ -63,7 +63,7 @@ void add_crack_rows(std::string& text, const Measures& measures) {
 }  // namespace
 
 std::string measures_text(const Measures& measures, const std::string& time_unit) {
-    const auto when = [&](double time) { return moment_words(fmt::format("{:.6g}", time), time_unit); };
+    const auto when = [&](double time) { return time_text(fmt::format("{:.6g}", time), time_unit); };
     std::string text;
     auto out = std::back_inserter(text);
     add_fragment_rows(text, measures);

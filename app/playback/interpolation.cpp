@@ -7,7 +7,7 @@
 #include <optional>
 #include <set>
 
-#include "app/playback/ancestry.h"
+#include "app/playback/frame_parents.h"
 #include "core/elements/mid_edge.h"
 
 namespace sherd {
@@ -16,7 +16,7 @@ namespace {
 /// Finds the edge of the earlier frame on which an inserted edge lies.
 class EdgeSearch {
   public:
-    EdgeSearch(const Snapshot& earlier, const Ancestry& ancestry) : ancestry(ancestry) {
+    EdgeSearch(const Snapshot& earlier, const FrameParents& frame_parents) : frame_parents(frame_parents) {
         for (std::size_t e = 0; e < earlier.edges.size(); ++e) {
             const auto [low, high] = std::minmax(earlier.edges[e][0], earlier.edges[e][1]);
             numbers[{low, high}] = e;
@@ -29,19 +29,20 @@ class EdgeSearch {
         std::set<Index> ends;
         for (const Index v : edge)
             for (int k = 0; k < 3; ++k)
-                if (std::abs(ancestry.weights[v][k]) > round_off) ends.insert(ancestry.vertices[v][k]);
+                if (std::abs(frame_parents.weights[v][k]) > round_off)
+                    ends.insert(frame_parents.vertices[v][k]);
         const auto found = ends.size() == 2 ? numbers.find({*ends.begin(), *ends.rbegin()}) : numbers.end();
         return found == numbers.end() ? std::nullopt : std::optional(found->second);
     }
 
   private:
-    const Ancestry& ancestry;
+    const FrameParents& frame_parents;
     std::map<std::array<Index, 2>, std::size_t> numbers;
 };
 
 /// Sets the strains and states of edges of the earlier frame. Edges that a crack made in between are its rim:
 /// they carry no hinge.
-void say_of_edges(const Snapshot& earlier, double share, Snapshot& between) {
+void report_edges(const Snapshot& earlier, double share, Snapshot& between) {
     for (std::size_t e = 0; e < earlier.edges.size() && e < between.edges.size(); ++e) {
         const bool unbroken =
             earlier.edge_state[e] == EdgeState::interior && between.edge_state[e] == EdgeState::interior;
@@ -50,17 +51,18 @@ void say_of_edges(const Snapshot& earlier, double share, Snapshot& between) {
                      : earlier.edge_strain[e];
         between.edge_state[e] = earlier.edge_state[e];
     }
-    between.edge_held = earlier.edge_held;
-    if (!between.edge_held.empty()) between.edge_held.resize(between.edges.size());
+    between.edge_cohesive_share = earlier.edge_cohesive_share;
+    if (!between.edge_cohesive_share.empty()) between.edge_cohesive_share.resize(between.edges.size());
 }
 
 /// Sets the strains of inserted edges. Those with a hinge are parts of an edge that was split, or lie inside
 /// an earlier face, which does not bend.
-void say_of_born_edges(const Snapshot& earlier, const Ancestry& ancestry, double share, Snapshot& between) {
+void report_inserted_edges(const Snapshot& earlier, const FrameParents& frame_parents, double share,
+                           Snapshot& between) {
     std::optional<EdgeSearch> search;
     for (std::size_t e = earlier.edges.size(); e < between.edges.size(); ++e) {
         if (between.edge_state[e] != EdgeState::interior) continue;
-        if (!search) search.emplace(earlier, ancestry);
+        if (!search) search.emplace(earlier, frame_parents);
         const std::optional<std::size_t> below = search->below(between.edges[e]);
         const double before = below ? earlier.edge_strain[*below] : 0;
         between.edge_strain[e] = before + share * (between.edge_strain[e] - before);
@@ -78,7 +80,8 @@ double turn_of_frame(const RestMesh& earlier, Index before, const RestMesh& late
 
 /// Interpolates the fields of faces that both frames have. Components are those in the frames of the later
 /// faces.
-void say_of_fields(const Snapshot& earlier, const Ancestry& ancestry, double share, Snapshot& between) {
+void report_fields(const Snapshot& earlier, const FrameParents& frame_parents, double share,
+                   Snapshot& between) {
     std::vector<const Eigen::Matrix3Xd*> before;
     visit_fields(earlier.fields, [&](const char*, const Eigen::Matrix3Xd& values, const FieldMeaning&) {
         before.push_back(&values);
@@ -88,7 +91,7 @@ void say_of_fields(const Snapshot& earlier, const Ancestry& ancestry, double sha
         const Eigen::Matrix3Xd& from = **next++;
         const double count = meaning.twice ? 2 : 1;
         for (Eigen::Index f = 0; f < values.cols() && from.cols() > 0; ++f) {
-            const Index whole = ancestry.faces[f];
+            const Index whole = frame_parents.faces[f];
             Vector3d start = from.col(whole);
             const double turn = turn_of_frame(earlier.rest, whole, between.rest, f);
             if (turn != 0) {
@@ -103,20 +106,20 @@ void say_of_fields(const Snapshot& earlier, const Ancestry& ancestry, double sha
 }  // namespace
 
 Snapshot interpolated(const Snapshot& earlier, const Snapshot& later, double share) {
-    const Ancestry before = ancestry(earlier, later);
+    const FrameParents before = frame_parents(earlier, later);
     Snapshot between = later;
     between.step = earlier.step;
     between.time = earlier.time + share * (later.time - earlier.time);
     const auto on_the_way = [&](const auto& from, const auto& to) {
         return (from + share * (to - from)).eval();
     };
-    between.position = on_the_way(before.carried(earlier.position), later.position);
-    between.velocity = on_the_way(before.carried(earlier.velocity), later.velocity);
+    between.position = on_the_way(before.interpolated_from(earlier.position), later.position);
+    between.velocity = on_the_way(before.interpolated_from(earlier.velocity), later.velocity);
     for (std::size_t f = 0; f < between.faces.size(); ++f)
         between.face_fragment[f] = earlier.face_fragment[before.faces[f]];
-    say_of_edges(earlier, share, between);
-    say_of_born_edges(earlier, before, share, between);
-    say_of_fields(earlier, before, share, between);
+    report_edges(earlier, share, between);
+    report_inserted_edges(earlier, before, share, between);
+    report_fields(earlier, before, share, between);
     return between;
 }
 

@@ -15,7 +15,7 @@ const Snapshot& Playback::frame(std::size_t number) {
     return found != kept.end() ? found->second : kept.emplace(number, read(number)).first->second;
 }
 
-Snapshot Playback::at(const Moment& moment) {
+Snapshot Playback::at(const PlaybackTime& moment) {
     std::erase_if(kept, [&](const auto& entry) {
         return entry.first != moment.earlier && entry.first != moment.later;
     });
@@ -34,7 +34,7 @@ ObstaclePlayback::ObstaclePlayback(const Recording& recording) : recording(recor
         middles.push_back(middle(obstacle.surface));
 }
 
-std::vector<Eigen::Isometry3d> ObstaclePlayback::at(const Moment& moment) const {
+std::vector<Eigen::Isometry3d> ObstaclePlayback::at(const PlaybackTime& moment) const {
     std::vector<Eigen::Isometry3d> poses = recording.poses(moment.earlier);
     if (!(moment.share > 0)) return poses;
     const std::vector<Eigen::Isometry3d> later = recording.poses(moment.later);
@@ -43,7 +43,7 @@ std::vector<Eigen::Isometry3d> ObstaclePlayback::at(const Moment& moment) const 
     return poses;
 }
 
-ObstacleShapes ObstaclePlayback::shapes(const Moment& moment) const {
+ObstacleShapes ObstaclePlayback::shapes(const PlaybackTime& moment) const {
     ObstacleShapes shapes = recording.shapes(moment.earlier);
     if (!(moment.share > 0)) return shapes;
     const ObstacleShapes later = recording.shapes(moment.later);

@@ -5,7 +5,7 @@
 #include <functional>
 #include <map>
 
-#include "app/playback/moment.h"
+#include "app/playback/playback_time.h"
 #include "app/recording/recording.h"
 #include "fracture/snapshot.h"
 
@@ -19,7 +19,7 @@ class Playback {
     explicit Playback(std::function<Snapshot(std::size_t)> read);
 
     /// Returns a frame as recorded, or interpolated(). Throws what `read` throws.
-    Snapshot at(const Moment& moment);
+    Snapshot at(const PlaybackTime& moment);
 
   private:
     const Snapshot& frame(std::size_t number);
@@ -39,9 +39,9 @@ class ObstaclePlayback {
 
     /// Returns the motions from each obstacle's own frame to space, as recorded, or interpolated() about its
     /// middle.
-    std::vector<Eigen::Isometry3d> at(const Moment& moment) const;
+    std::vector<Eigen::Isometry3d> at(const PlaybackTime& moment) const;
     /// Returns the points of deforming obstacles, as recorded, or linear between two frames.
-    ObstacleShapes shapes(const Moment& moment) const;
+    ObstacleShapes shapes(const PlaybackTime& moment) const;
 
   private:
     const Recording& recording;

@@ -8,8 +8,8 @@
 #include <cerrno>
 #include <utility>
 
+#include "app/messages/split.h"
 #include "app/progress/run_progress.h"
-#include "app/words/split.h"
 
 namespace sherd {
 namespace {

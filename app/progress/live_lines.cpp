@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "app/words/print.h"
+#include "app/messages/print.h"
 
 namespace sherd {
 namespace {

@@ -20,7 +20,7 @@ class Progress {
     void show(double amount, ProgressText text);
     void show(double amount, const std::string& what) { show(amount, {{{what, 1}}, {}}); }
     /// Clears the line, so that something else can be printed.
-    void make_way() { display.make_way(); }
+    void clear_for_output() { display.clear_for_output(); }
     /// Leaves the last line in place.
     void finish();
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/progress/progress_display.h"
 
-#include "app/words/print.h"
+#include "app/messages/print.h"
 
 namespace sherd {
 namespace {
@@ -61,7 +61,7 @@ void ProgressDisplay::leave(const ProgressMeter& ended) {
     lines.leave();
 }
 
-void ProgressDisplay::make_way() {
+void ProgressDisplay::clear_for_output() {
     lines.clear();
     last_shown = {};
 }

@@ -32,7 +32,7 @@ class ProgressDisplay {
     void leave(const ProgressMeter& ended);
     /// Clears the bars, so that something else can be printed at the beginning of a line; show() draws them
     /// again.
-    void make_way();
+    void clear_for_output();
 
   private:
     std::string line(const ProgressMeter& meter) const;

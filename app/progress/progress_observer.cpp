@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "app/words/place_words.h"
+#include "app/messages/place_text.h"
 
 namespace sherd {
 namespace {
@@ -30,7 +30,7 @@ void ProgressObserver::warn_of_substeps(const StepReport& report) {
             ? std::string("contact requires them, where something light and stiff meets something fast")
             : fmt::format("the face of sheet.{} at {} at rest requires the shortest; if it is far smaller "
                           "than others, remesh",
-                          scene.sheets[face.sheet].name, place_words(face.rest))));
+                          scene.sheets[face.sheet].name, place_text(face.rest))));
 }
 
 void ProgressObserver::ended(const RunEnd& end) {

@@ -5,15 +5,15 @@
 
 #include <sstream>
 
-#include "app/words/counted.h"
-#include "app/words/moment_words.h"
+#include "app/messages/counted.h"
+#include "app/messages/time_text.h"
 
 namespace sherd {
 
 ProgressText progress_text(const RunProgress& progress) {
     ProgressText text{
         {{fmt::format("step {}", progress.step), 4},
-         {moment_words(fmt::format("{:.4g} of {:.4g}", progress.time, progress.duration), progress.unit), 1}},
+         {time_text(fmt::format("{:.4g} of {:.4g}", progress.time, progress.duration), progress.unit), 1}},
         {{fmt::format("cracks {}", progress.cracks), 3},
          {fmt::format("fragments {}", progress.fragments), 2}}};
     if (progress.halvings > 0)

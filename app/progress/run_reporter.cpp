@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "app/words/print.h"
+#include "app/messages/print.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -36,7 +36,7 @@ void RunReporter::update(const RunProgress& progress) {
 }
 
 void RunReporter::warn(const std::string& words) {
-    shown.make_way();
+    shown.clear_for_output();
     print_warnings({words});
 }
 

@@ -5,7 +5,7 @@
 
 #include "app/measures/fragment_distance.h"
 #include "app/measures/measures.h"
-#include "app/playback/ancestry.h"
+#include "app/playback/frame_parents.h"
 #include "app/python/bindings.h"
 #include "app/python/tables.h"
 #include "app/recording/recording.h"
@@ -78,8 +78,8 @@ CrackCentre centre_of(const std::variant<std::array<double, 3>, std::string>& ab
 }
 
 py::tuple parents(const Recording& recording, py::ssize_t earlier, py::ssize_t later) {
-    const Ancestry found = ancestry(recording.frame(number_of(recording, earlier)),
-                                    recording.frame(number_of(recording, later)));
+    const FrameParents found = frame_parents(recording.frame(number_of(recording, earlier)),
+                                             recording.frame(number_of(recording, later)));
     return py::make_tuple(array_of(found.faces), array_of(found.vertices), array_of(found.weights));
 }
 

@@ -74,7 +74,7 @@ void bind_snapshot(py::module_& module) {
         .def_property_readonly("edge_strains", view_of(&S::edge_strain),
                                "[E] 1/m, bending of the hinge, signed; 0 without one")
         .def_property_readonly(
-            "edge_held", view_of(&S::edge_held),
+            "edge_held", view_of(&S::edge_cohesive_share),
             "[E] cohesive share, 1 to 0, of an edge that opens gradually; None: no edge does")
         .def_property_readonly("rest_positions", view_of(&RestMesh::position), "[R, 3] m, at rest")
         .def_property_readonly("rest_faces", view_of(&RestMesh::faces), "[F, 3] rows of rest_positions")

@@ -24,7 +24,7 @@ BuiltScene built(const Scene& scene, int threads, std::vector<std::string>& warn
 
 }  // namespace
 
-Turn::Turn(std::atomic<bool>& taken) : taken(taken) {
+ExclusiveUse::ExclusiveUse(std::atomic<bool>& taken) : taken(taken) {
     if (taken.exchange(true))
         throw Error(
             "the simulation is making a step in another thread: wait for it, or give each thread a "
@@ -32,43 +32,43 @@ Turn::Turn(std::atomic<bool>& taken) : taken(taken) {
             Fault::run);
 }
 
-LiveRun::LiveRun(const Scene& scene, int threads) : runner(scene, built(scene, threads, told)) {
+LiveRun::LiveRun(const Scene& scene, int threads) : runner(scene, built(scene, threads, warning_list)) {
     runner.add(*this);
 }
 
 void LiveRun::step() {
-    const Turn turn(taken);  // taken under Python's lock, under which other threads read the run
+    const ExclusiveUse turn(taken);  // taken under Python's lock, under which other threads read the run
     const WithoutLock others;
     runner.advance();
 }
 
 bool LiveRun::has_ended() {
-    const Turn turn(taken);
+    const ExclusiveUse turn(taken);
     return runner.has_ended();
 }
 
 const Simulation& LiveRun::simulation() {
-    const Turn turn(taken);
+    const ExclusiveUse turn(taken);
     return runner.simulation();
 }
 
 Simulation& LiveRun::changed() {
-    const Turn turn(taken);
+    const ExclusiveUse turn(taken);
     return runner.simulation();
 }
 
 const std::optional<StepReport>& LiveRun::report() {
-    const Turn turn(taken);
+    const ExclusiveUse turn(taken);
     return last;
 }
 
 const CrackEvents& LiveRun::events() {
-    const Turn turn(taken);
+    const ExclusiveUse turn(taken);
     return all_events;
 }
 
 void LiveRun::record(const std::filesystem::path& file, bool force) {
-    const Turn turn(taken);
+    const ExclusiveUse turn(taken);
     if (recording) throw Error("the simulation is being recorded: end that recording first");
     if (last) throw Error("the simulation has made a step: a recording must begin before the first step");
     RecordingOutput output(file, force);
@@ -79,7 +79,7 @@ void LiveRun::record(const std::filesystem::path& file, bool force) {
 }
 
 void LiveRun::end_recording(const std::string& failure) {
-    const Turn turn(taken);
+    const ExclusiveUse turn(taken);
     if (!recording) return;
     const std::unique_ptr<LiveRecording> ending = std::move(recording);
     const Simulation& simulation = runner.simulation();

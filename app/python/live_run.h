@@ -14,12 +14,12 @@
 namespace sherd::python {
 
 /// Exclusive use of a run by a thread: no other thread may read it during a step.
-class Turn {
+class ExclusiveUse {
   public:
     /// Throws Error if another thread uses the run.
-    explicit Turn(std::atomic<bool>& taken);
-    ~Turn() { taken = false; }
-    Turn(const Turn&) = delete;
+    explicit ExclusiveUse(std::atomic<bool>& taken);
+    ~ExclusiveUse() { taken = false; }
+    ExclusiveUse(const ExclusiveUse&) = delete;
 
   private:
     std::atomic<bool>& taken;
@@ -47,7 +47,7 @@ class LiveRun : RunObserver {
     void end_recording(const std::string& failure);
 
     const Scene& scene() const { return runner.scene(); }
-    const std::vector<std::string>& warnings() const { return told; }
+    const std::vector<std::string>& warnings() const { return warning_list; }
     const std::optional<StepReport>& report();  ///< none before the first step
     const CrackEvents& events();                ///< events since the start
 
@@ -62,7 +62,7 @@ class LiveRun : RunObserver {
     void stepped(const StepReport& report, const CrackEvents& events) override;
     void frame_due(const Simulation& simulation) override;
 
-    std::vector<std::string> told;
+    std::vector<std::string> warning_list;
     Runner runner;
     std::atomic<bool> taken = false;
     std::optional<StepReport> last;

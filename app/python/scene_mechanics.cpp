@@ -20,7 +20,7 @@ ShellEnergyOptions exact(ShellEnergyOptions options) {
 }  // namespace
 
 SceneMechanics::SceneMechanics(const Scene& scene)
-    : built(build_scene(scene, told)), all(shell(), exact(built.options.stepper.shell)) {
+    : built(build_scene(scene, warning_list)), all(shell(), exact(built.options.stepper.shell)) {
     const StepContext start{0, 0, 0, shell().position, shell().velocity, {}};
     for (Energy* energy : all.elastic()) energy->begin(start);
 }

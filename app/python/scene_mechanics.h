@@ -18,7 +18,7 @@ class SceneMechanics {
     SceneMechanics(const SceneMechanics&) = delete;  // the energies refer to the shell
 
     const Shell& shell() const { return built.sheets.mechanics(); }
-    const std::vector<std::string>& warnings() const { return told; }
+    const std::vector<std::string>& warnings() const { return warning_list; }
 
     /// Returns the positions. Throws Error if there are not V.
     Positions placed(Positions positions) const;
@@ -31,7 +31,7 @@ class SceneMechanics {
     FaceFields fields(const Positions& x);
 
   private:
-    std::vector<std::string> told;
+    std::vector<std::string> warning_list;
     BuiltScene built;
     ShellEnergies all;
 };

@@ -145,7 +145,7 @@ hid_t opened_file(const std::string& name, Access access, const Handle& how) {
 }  // namespace
 
 OpenedFile open_in(ByteFile& file, const std::string& name, Access access) {
-    be_quiet();
+    silence_errors();
     Handle driver = register_driver();
     const Handle how = access_to(file, driver);
     return {std::move(driver), Handle(opened_file(name, access, how))};

@@ -15,7 +15,7 @@ herr_t keep_innermost(unsigned depth, const H5E_error2_t* entry, void* text) {
 
 }  // namespace
 
-void be_quiet() {
+void silence_errors() {
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 

@@ -7,7 +7,7 @@
 namespace sherd::hdf5 {
 
 /// Stops HDF5 from printing its error stack; fail() puts the innermost error into the Error.
-void be_quiet();
+void silence_errors();
 
 /// Throws Error (run): `what`, and why the last call of HDF5 failed.
 [[noreturn]] void fail(const std::string& what);

@@ -33,7 +33,7 @@ ReadableFile::ReadableFile(const std::filesystem::path& file) {
     if (!std::filesystem::is_regular_file(status))
         throw Error(name + " is not a file; name a recording (.h5)");
     if (::access(file.c_str(), R_OK) != 0) throw Error("cannot read " + name + "; check its permissions");
-    be_quiet();
+    silence_errors();
     if (H5Fis_hdf5(file.c_str()) == 0)
         throw Error(name + " is not an HDF5 file; name a recording written by 'sherd run'");
     bytes = std::make_unique<OverlaidFile>(file, patience);

@@ -88,7 +88,7 @@ struct RecordingOutput {
 /// ignore SIGXFSZ, so that a file size limit is an error like a full disk.
 class RecordingWriter {
   public:
-    /// Creates the file. With `resumes`, uses the existing one; visit_state() and go_on() must then restore
+    /// Creates the file. With `resumes`, uses the existing one; visit_state() and resume() must then restore
     /// its state. Throws Error (input) if it cannot be created; leaves no files behind then.
     RecordingWriter(RecordingOutput output, const RecordingHeader& header,
                     std::span<const RecordedObstacle> obstacles = {}, bool resumes = false);
@@ -112,7 +112,7 @@ class RecordingWriter {
     void visit_state(StateVisitor& visit);
     /// Resumes the recording: truncates the file to the restored state. scene_text: of the resumed run.
     /// Throws Error (run) if the file holds less than that.
-    void go_on(const std::string& scene_text);
+    void resume(const std::string& scene_text);
     const OutputLock& lock() const { return output.recording; }
 
   private:
@@ -132,7 +132,7 @@ class RecordingWriter {
     std::size_t supports = 0, gauges = 0;
     RestMesh rest;                    ///< mesh at rest of the last frame; before it, the unfractured mesh
     std::string rest_path = "/rest";  ///< path of `rest` in the file
-    std::size_t unbroken_vertices = 0;
+    std::size_t unfractured_vertices = 0;
 };
 
 /// Reads a recording, also during its run: each call reads the last committed state. Every member throws
@@ -144,7 +144,7 @@ class Recording {
     explicit Recording(const std::filesystem::path& file);
 
     /// Description of the repair, for users; "" if there was none.
-    const std::string& mended() const { return mending; }
+    const std::string& recovery() const { return recovery_message; }
 
     RecordingHeader header() const;
     std::size_t frame_count() const;
@@ -167,7 +167,7 @@ class Recording {
     auto read_with(Read read) const;
 
     std::filesystem::path file;
-    std::string mending;
+    std::string recovery_message;
     std::int64_t version = 0;
     std::pair<dev_t, ino_t> identity;  ///< device and inode of the file: a run with --force replaces it
 };

@@ -51,13 +51,13 @@ std::string look_fault(const SurfaceLook& look, std::size_t faces, std::size_t v
 
 /// Numbers of elements that a snapshot has, by its first array of each kind, and that its indices may name.
 struct Counts {
-    Counts(const Snapshot& s, std::size_t unbroken_vertices)
+    Counts(const Snapshot& s, std::size_t unfractured_vertices)
         : vertices(static_cast<std::size_t>(s.position.cols())),
           rest_vertices(static_cast<std::size_t>(s.rest.position.cols())),
           faces(s.faces.size()),
           edges(s.edges.size()),
-          unbroken_vertices(unbroken_vertices),
-          unbroken_faces(s.rest.unbroken_faces.size()) {}
+          unfractured_vertices(unfractured_vertices),
+          unfractured_faces(s.rest.unfractured_faces.size()) {}
 
     /// The first array of a kind, and its length.
     std::pair<const char*, std::size_t> first(Elements entries) const {
@@ -80,10 +80,10 @@ struct Counts {
                 return {"vertex", vertices};
             case Names::rest_vertices:
                 return {"vertex", rest_vertices};
-            case Names::unbroken_vertices:
-                return {"vertex", unbroken_vertices};
-            case Names::unbroken_faces:
-                return {"face", unbroken_faces};
+            case Names::unfractured_vertices:
+                return {"vertex", unfractured_vertices};
+            case Names::unfractured_faces:
+                return {"face", unfractured_faces};
             case Names::sheets:
                 return {"sheet", faces};
             case Names::fragments:
@@ -93,7 +93,7 @@ struct Counts {
         return {"fragment", faces};
     }
 
-    std::size_t vertices, rest_vertices, faces, edges, unbroken_vertices, unbroken_faces;
+    std::size_t vertices, rest_vertices, faces, edges, unfractured_vertices, unfractured_faces;
 };
 
 /// Calls visit(SnapshotArray, array) for the arrays of a snapshot and of its mesh at rest.
@@ -126,7 +126,7 @@ std::string field_fault(const Snapshot& s) {
 }
 
 std::string number_fault(const Snapshot& s, const Counts& counts) {
-    if (s.faces.size() < s.rest.unbroken_faces.size())
+    if (s.faces.size() < s.rest.unfractured_faces.size())
         return "face/vertices has fewer faces than /rest/faces";
     std::string fault;
     const auto check = [&](const char* name, Names names, const auto& values) {
@@ -138,7 +138,7 @@ std::string number_fault(const Snapshot& s, const Counts& counts) {
         if constexpr (requires { any_outside(values, 0); })
             if (array.names != Names::nothing) check(array.name, array.names, values);
     });
-    check("/rest/faces", Names::unbroken_vertices, s.rest.unbroken_faces);
+    check("/rest/faces", Names::unfractured_vertices, s.rest.unfractured_faces);
     return fault;
 }
 
@@ -151,7 +151,7 @@ bool are_shares(const auto& weights) {
 
 /// Returns the first fault of the parents and weights, or "". Requires arrays without faults of length and
 /// index.
-std::string ancestry_fault(const Snapshot& s) {
+std::string parent_fault(const Snapshot& s) {
     const RestMesh& rest = s.rest;
     for (std::size_t v = 0; v < rest.vertex_weights.size(); ++v)
         if (!are_shares(rest.vertex_weights[v]))
@@ -216,15 +216,15 @@ bool is_recorded(const RecordedGauge& gauge, std::string_view column) {
     return gauge.fields.stress;
 }
 
-RestMesh unbroken_mesh(const RecordingHeader& header) {
-    RestMesh rest = sherd::unbroken_mesh(header.rest_position, header.rest_faces, header.rest_area,
-                                         header.rest_thickness);
+RestMesh unfractured_mesh(const RecordingHeader& header) {
+    RestMesh rest = sherd::unfractured_mesh(header.rest_position, header.rest_faces, header.rest_area,
+                                            header.rest_thickness);
     rest.look = header.rest_look;
     return rest;
 }
 
-std::string inconsistency(const Snapshot& s, std::size_t unbroken_vertices) {
-    const Counts counts(s, unbroken_vertices);
+std::string inconsistency(const Snapshot& s, std::size_t unfractured_vertices) {
+    const Counts counts(s, unfractured_vertices);
     if (std::string fault = first_of(
             {length_fault(s, counts), field_fault(s), number_fault(s, counts),
              look_fault(s.rest.look, s.faces.size(), static_cast<std::size_t>(s.rest.position.cols()))});
@@ -232,9 +232,9 @@ std::string inconsistency(const Snapshot& s, std::size_t unbroken_vertices) {
         return fault;
     if (std::ranges::any_of(s.edge_state, [](EdgeState state) { return state > EdgeState::boundary; }))
         return "edge/state has an unknown state";
-    if (std::ranges::any_of(s.edge_held, [](double share) { return !(share >= 0 && share <= 1); }))
+    if (std::ranges::any_of(s.edge_cohesive_share, [](double share) { return !(share >= 0 && share <= 1); }))
         return "edge/held has a value that is not from 0 to 1";
-    return ancestry_fault(s);
+    return parent_fault(s);
 }
 
 std::string inconsistency(const RecordingHeader& header) {

@@ -124,7 +124,7 @@ struct Table<StepReport> {
         visit("obstacle_overlap", {"m", "largest depth of a sheet's surface in an obstacle"},
               &R::obstacle_overlap);
         visit("lip_overlap", {"m", "largest overlap of crack faces that have not separated yet"},
-              &R::lip_overlap);
+              &R::crack_face_overlap);
         visit("exempt_pairs", {"1", "pairs of vertices whose faces have overlapped since the start"},
               &R::exempt_pairs);
         visit("fragments", {"1", "number of fragments"}, &R::fragments);
@@ -230,12 +230,12 @@ struct Table<VertexSplit> {
 };
 
 template <>
-struct Table<FragmentBirth> {
+struct Table<FragmentSplit> {
     static constexpr const char* group = "events/fragment";
     static constexpr std::int64_t since = 2;
     template <class Visit>
     static void visit(Visit visit) {
-        using R = FragmentBirth;
+        using R = FragmentSplit;
         visit("time", {"s"}, &R::time);
         visit("step", {"1"}, &R::step);
         visit("fragment", {"1", "number of the new fragment"}, &R::fragment);
@@ -245,12 +245,12 @@ struct Table<FragmentBirth> {
 };
 
 template <>
-struct Table<VertexBirth> {
+struct Table<VertexInsertion> {
     static constexpr const char* group = "events/vertex_birth";
     static constexpr std::int64_t since = 3;
     template <class Visit>
     static void visit(Visit visit) {
-        using R = VertexBirth;
+        using R = VertexInsertion;
         visit("time", {"s"}, &R::time);
         visit("step", {"1"}, &R::step);
         visit("created", {"1", "the inserted vertex, a row of vertex/* of the frames"}, &R::created);
@@ -262,12 +262,12 @@ struct Table<VertexBirth> {
 };
 
 template <>
-struct Table<FaceBirth> {
+struct Table<FaceInsertion> {
     static constexpr const char* group = "events/face_birth";
     static constexpr std::int64_t since = 3;
     template <class Visit>
     static void visit(Visit visit) {
-        using R = FaceBirth;
+        using R = FaceInsertion;
         visit("time", {"s"}, &R::time);
         visit("step", {"1"}, &R::step);
         visit("created", {"1", "the inserted face, a row of face/* of the frames"}, &R::created);
@@ -350,11 +350,11 @@ std::string obstacle_faces(std::size_t number);
 using StoredPose = std::array<double, 12>;
 
 /// Returns the unfractured mesh of a header.
-RestMesh unbroken_mesh(const RecordingHeader& header);
+RestMesh unfractured_mesh(const RecordingHeader& header);
 
-/// Returns the first fault of the array lengths and indices of a snapshot, or "". unbroken_vertices: number
-/// of vertices of the run's unfractured mesh.
-std::string inconsistency(const Snapshot& snapshot, std::size_t unbroken_vertices);
+/// Returns the first fault of the array lengths and indices of a snapshot, or "". unfractured_vertices:
+/// number of vertices of the run's unfractured mesh.
+std::string inconsistency(const Snapshot& snapshot, std::size_t unfractured_vertices);
 /// Returns the first fault of the mesh at rest, or "".
 std::string inconsistency(const RecordingHeader& header);
 /// Returns the first fault of an obstacle's surface, or "".

@@ -97,7 +97,7 @@ void read_unbroken_mesh(hid_t file, RecordingHeader& header) {
 RestMesh read_unbroken_mesh(hid_t file) {
     RecordingHeader header;
     read_unbroken_mesh(file, header);
-    return unbroken_mesh(header);
+    return unfractured_mesh(header);
 }
 
 /// Returns a function that reads an array of a snapshot from the group of its frame.
@@ -113,8 +113,8 @@ RestMesh read_rest(hid_t file, hid_t frame) {
     RestMesh rest;
     visit_rest_arrays(rest, array_reader(frame));
     read_look(frame, rest.look);
-    read_array(file, "rest/faces", rest.unbroken_faces);
-    read_array(file, "rest/position", rest.unbroken_position);
+    read_array(file, "rest/faces", rest.unfractured_faces);
+    read_array(file, "rest/position", rest.unfractured_position);
     if (rest.thickness.empty() && hdf5::row_count(file, "rest/thickness", 1) > 0)
         throw Error("rest/thickness is empty");
     return rest;
@@ -181,7 +181,7 @@ auto Recording::read_with(Read read) const {
 }
 
 Recording::Recording(const std::filesystem::path& file)
-    : file(file), mending(mend(file)), identity(identity_of(file)) {
+    : file(file), recovery_message(recover(file)), identity(identity_of(file)) {
     const hdf5::ReadableFile opened(file);
     if (!is_recording(opened))
         throw Error(
@@ -239,8 +239,8 @@ Snapshot Recording::frame(std::size_t number) const {
         visit_arrays(snapshot, array_reader(group));
         snapshot.fields = read_fields(group);
         snapshot.rest = version < 3 ? read_unbroken_mesh(opened) : read_rest(opened, group);
-        const std::size_t unbroken_vertices = hdf5::row_count(opened, "rest/position", 3);
-        if (const std::string what = inconsistency(snapshot, unbroken_vertices); !what.empty())
+        const std::size_t unfractured_vertices = hdf5::row_count(opened, "rest/position", 3);
+        if (const std::string what = inconsistency(snapshot, unfractured_vertices); !what.empty())
             throw Error(fmt::format("frame {}: {}", number, what));
         return snapshot;
     });

@@ -8,12 +8,12 @@
 #include <utility>
 
 #include "app/files/pending_file.h"
+#include "app/messages/build_info.h"
 #include "app/recording/hdf5_file.h"
 #include "app/recording/obstacle_writer.h"
 #include "app/recording/recording.h"
 #include "app/recording/recording_extent.h"
 #include "app/recording/recording_table.h"
-#include "app/words/build_info.h"
 #include "core/elements/membrane.h"
 #include "meshops/shared_values.h"
 
@@ -134,7 +134,7 @@ void write_head(hid_t file, const RecordingHeader& header) {
     hdf5::write_attribute(file, "wall_seconds", 0.0);
     hdf5::write_text(file, "scene", header.scene_text);
     hdf5::write_texts(file, "rest/sheet_names", header.sheet_names);
-    write_rest(file, unbroken_mesh(header));
+    write_rest(file, unfractured_mesh(header));
     if (!header.rest_axis.empty())
         write_array(
             file, std::string("rest/") + material_axis,
@@ -295,8 +295,8 @@ RecordingWriter::RecordingWriter(RecordingOutput output_, const RecordingHeader&
       places(first_places(obstacles_)),
       supports(header.supports.size()),
       gauges(header.gauges.size()),
-      rest(unbroken_mesh(header)),
-      unbroken_vertices(static_cast<std::size_t>(header.rest_position.cols())) {}
+      rest(unfractured_mesh(header)),
+      unfractured_vertices(static_cast<std::size_t>(header.rest_position.cols())) {}
 
 RecordingWriter::RecordingWriter(const std::filesystem::path& file, const RecordingHeader& header, bool force,
                                  std::span<const RecordedObstacle> obstacles)
@@ -305,9 +305,9 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& file, const Record
 void RecordingWriter::append(const Snapshot& snapshot, std::span<const StepReport> steps,
                              const CrackEvents& events, std::span<const Eigen::Isometry3d> poses,
                              const ObstacleShapes& shapes) try {
-    if (const std::string what = inconsistency(snapshot, unbroken_vertices); !what.empty())
+    if (const std::string what = inconsistency(snapshot, unfractured_vertices); !what.empty())
         throw Error(what, Fault::run);
-    if (!same_bits(snapshot.rest.unbroken_faces, rest.unbroken_faces))
+    if (!same_bits(snapshot.rest.unfractured_faces, rest.unfractured_faces))
         throw Error("its unbroken mesh is not that of /rest", Fault::run);
     for (const StepReport& step : steps)
         if (step.reactions.size() != supports || step.gauges.size() != gauges)
@@ -370,11 +370,11 @@ void RecordingWriter::add_modes(std::span<const RecordedMode> modes, const std::
 
 void RecordingWriter::visit_state(StateVisitor& visit) {
     auto& [output, rows, recording, frames, indexed, obstacles, places, supports, gauges, rest, rest_path,
-           unbroken_vertices] = *this;
+           unfractured_vertices] = *this;
     visit(frames, places, rest, rest_path, rows);
 }
 
-void RecordingWriter::go_on(const std::string& scene_text) try {
+void RecordingWriter::resume(const std::string& scene_text) try {
     PendingFile index(output.index, Fault::run);
     write_index(index);
     hdf5::change(recording, [&](hid_t opened) {

@@ -24,7 +24,7 @@ UnitPrefix prefixed(const std::string& unit, double largest) {
     return {1e9, "n" + unit};
 }
 
-std::string tick_words(double tick) {
+std::string tick_text(double tick) {
     // Ticks are round numbers except for the last bit.
     return fmt::format("{:.6g}", std::abs(tick) < 1e-300 ? 0.0 : tick);
 }

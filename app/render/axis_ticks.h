@@ -23,6 +23,6 @@ std::vector<double> round_ticks(double low, double high, int most, bool whole);
 std::vector<double> logarithmic_ticks(double low, double high);
 
 /// Label of a tick.
-std::string tick_words(double tick);
+std::string tick_text(double tick);
 
 }  // namespace sherd

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "app/words/number_list.h"
+#include "app/messages/number_list.h"
 #include "meshops/error.h"
 
 namespace sherd {

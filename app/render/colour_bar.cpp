@@ -7,10 +7,10 @@
 #include <cmath>
 #include <cstdint>
 
+#include "app/messages/time_text.h"
 #include "app/render/axis_ticks.h"
 #include "app/render/render_colour.h"
 #include "app/render/text.h"
-#include "app/words/moment_words.h"
 
 namespace sherd {
 namespace {
@@ -117,26 +117,26 @@ ColourBar make_colour_bar(const std::string& name, const std::string& unit,
                   .ticks = {},
                   .below = extent.first<low, .above = extent.second> high};
     const auto end_words = [&](double value, const char* beyond) {
-        return beyond + tick_words(rounded(value * prefix.factor, 4));
+        return beyond + tick_text(rounded(value * prefix.factor, 4));
     };
     bar.ticks.push_back({0, end_words(low, bar.below ? "\xe2\x89\xa4 " : "")});
     for (const double tick : round_ticks(low * prefix.factor, high * prefix.factor, 5, false)) {
         const double share = (tick / prefix.factor - low) / (high - low);
-        if (share > end_gap && share < 1 - end_gap) bar.ticks.push_back({share, tick_words(tick)});
+        if (share > end_gap && share < 1 - end_gap) bar.ticks.push_back({share, tick_text(tick)});
     }
     bar.ticks.push_back({1, end_words(high, bar.above ? "\xe2\x89\xa5 " : "")});
     return bar;
 }
 
-std::string moment_caption(double time, std::int64_t step, double end, const std::string& unit) {
-    if (unit != "s") return fmt::format("{}, step {}", moment_words(fmt::format("{:.3f}", time), unit), step);
+std::string time_caption(double time, std::int64_t step, double end, const std::string& unit) {
+    if (unit != "s") return fmt::format("{}, step {}", time_text(fmt::format("{:.3f}", time), unit), step);
     const UnitPrefix prefix = prefixed("s", end);
     const double shown = end * prefix.factor;
     const int decimals = shown >= 100 ? 1 : shown >= 10 ? 2 : 3;
     return fmt::format("t = {:.{}f} {}, step {}", time * prefix.factor, decimals, prefix.unit, step);
 }
 
-bool has_room_for_bar(int width, int height) {
+bool fits_colour_bar(int width, int height) {
     return std::min(width, height) >= smallest_side;
 }
 

@@ -30,7 +30,7 @@ ColourBar make_colour_bar(const std::string& name, const std::string& unit,
 
 /// Caption of a moment of a run that ends at `end` (s), such as `t = 12.50 ms, step 125`, with the same
 /// number of decimals at all moments. unit: of the times, RecordingHeader::time_unit.
-std::string moment_caption(double time, std::int64_t step, double end, const std::string& unit = "s");
+std::string time_caption(double time, std::int64_t step, double end, const std::string& unit = "s");
 
 /// Rectangle of pixels.
 struct PixelBox {
@@ -38,7 +38,7 @@ struct PixelBox {
 };
 
 /// Whether a picture of that many pixels is large enough for a bar and a caption.
-bool has_room_for_bar(int width, int height);
+bool fits_colour_bar(int width, int height);
 
 /// Draws the bar into the top right corner, on a panel that keeps it legible on any background. Its size
 /// follows the picture's, which must be large enough. Returns the panel.

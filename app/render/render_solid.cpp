@@ -212,7 +212,7 @@ std::vector<std::array<bool, 3>> open_edges(std::span<const std::array<Index, 3>
 }
 
 std::vector<std::array<bool, 3>> rim_edges(const RestMesh& rest) {
-    const std::vector<std::array<bool, 3>> unbroken = open_edges(rest.unbroken_faces);
+    const std::vector<std::array<bool, 3>> unbroken = open_edges(rest.unfractured_faces);
     std::vector<std::array<bool, 3>> rim(rest.faces.size(), {false, false, false});
     for (std::size_t f = 0; f < rest.faces.size(); ++f)
         for (int k = 0; k < 3; ++k) {

@@ -42,7 +42,7 @@ Scene recorded_scene(const RecordingHeader& header) {
 RenderStage::RenderStage(const Recording& recording, const StageOptions& options,
                          std::vector<std::string>& warnings)
     : options(options), header(recording.header()), obstacles(recording.obstacles()) {
-    if (!recording.mended().empty()) warnings.push_back(recording.mended());
+    if (!recording.recovery().empty()) warnings.push_back(recording.recovery());
     for (const RecordedMode& mode : recording.modes())
         modes.push_back(fmt::format("mode {}: {}", modes.size() + 1, mode.words()));
     read_scene(warnings);
@@ -257,7 +257,7 @@ std::optional<ColourBar> RenderStage::colour_bar() const {
 std::string RenderStage::caption(const Snapshot& frame) const {
     if (frame.step >= 1 && frame.step <= static_cast<std::int64_t>(modes.size()))
         return modes[frame.step - 1];
-    return moment_caption(frame.time, frame.step, end, header.time_unit);
+    return time_caption(frame.time, frame.step, end, header.time_unit);
 }
 
 }  // namespace sherd

@@ -8,7 +8,7 @@
 
 namespace sherd {
 
-void CheckpointKeeper::put_back(const Checkpoint& checkpoint) {
+void CheckpointKeeper::restore(const Checkpoint& checkpoint) {
     require_same_run(checkpoint);
     parts.at_start = checkpoint.at_start;
     StateReader reader(checkpoint.state);

@@ -33,10 +33,10 @@ class CheckpointKeeper : public RunObserver {
     /// others.
     CheckpointKeeper(const RunParts& parts, RunOrigin origin) : parts(parts), origin(std::move(origin)) {}
 
-    /// Restores the state of a checkpoint; RunRecorder::go_on() must follow. Throws Error (input), with the
+    /// Restores the state of a checkpoint; RunRecorder::resume() must follow. Throws Error (input), with the
     /// differences, if the origin or the frame interval of the run differs, or if the run would end before
     /// the checkpoint.
-    void put_back(const Checkpoint& checkpoint);
+    void restore(const Checkpoint& checkpoint);
     void paused(bool at_end) override;
     void ended(const RunEnd& how) override;
 

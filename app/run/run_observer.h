@@ -20,7 +20,7 @@ class RunObserver {
     /// at_end: no step follows.
     virtual void paused(bool /*at_end*/) {}
     /// Whether the run is to end after the last step.
-    virtual bool wants_end() const { return false; }
+    virtual bool should_end() const { return false; }
     /// Called when the run has ended; no other call follows.
     virtual void ended(const RunEnd&) {}
 };

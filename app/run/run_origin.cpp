@@ -25,7 +25,7 @@ std::uint64_t checksum_of_start(const Runner& runner) {
     std::ostringstream text;
     StateWriter writer(text);
     writer(shell.rest, shell.position, shell.velocity, shell.mass, shell.thickness, shell.young,
-           shell.footprint, shell.fixed, shell.script, shell.guide, shell.held, shell.vertex_sheet,
+           shell.footprint, shell.fixed, shell.script, shell.guide, shell.support_set, shell.vertex_sheet,
            shell.face_sheet, shell.edge_strength, shell.edge_toughness, face_axes);
     const ObstacleTrack track(runner.scene(), runner.simulation());
     for (RecordedObstacle obstacle : track.obstacles())

@@ -28,7 +28,7 @@ class RunRecorder : public RunObserver {
         auto& [obstacles, writer, unrecorded, unrecorded_events, spent] = *this;
         visit(writer, unrecorded, unrecorded_events);
     }
-    void go_on(const Scene& scene) { writer.go_on(scene.text); }
+    void resume(const Scene& scene) { writer.resume(scene.text); }
     const OutputLock& lock() const { return writer.lock(); }
 
   private:

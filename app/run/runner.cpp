@@ -94,7 +94,7 @@ void Runner::pause() {
 
 bool Runner::is_over() const {
     return stepped.arrived() ||
-           std::ranges::any_of(observers, [](const RunObserver& observer) { return observer.wants_end(); });
+           std::ranges::any_of(observers, [](const RunObserver& observer) { return observer.should_end(); });
 }
 
 void Runner::record() {

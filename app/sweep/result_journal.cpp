@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/files/checksum.h"
-#include "app/words/split.h"
+#include "app/messages/split.h"
 
 namespace sherd {
 namespace {

@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Whether a killed run of this program has left a checkpoint from which it can be resumed.
-bool can_go_on(const fs::path& recording, std::uint64_t program) {
+bool can_resume(const fs::path& recording, std::uint64_t program) {
     if (!fs::exists(recording)) return false;
     std::vector<std::string> warnings;
     const std::optional<Checkpoint> last = last_checkpoint(recording, warnings);
@@ -42,7 +42,7 @@ RowRun::RowRun(const Study& study, const StudyRows& rows, const StudyRow& row, c
     arguments.insert(arguments.end(),
                      {"--output", recording.string(), "--force", "--threads", std::to_string(threads),
                       "--progress-to", std::to_string(ChildProcess::report_descriptor)});
-    if (can_go_on(recording, rows.program)) arguments.emplace_back("--resume");
+    if (can_resume(recording, rows.program)) arguments.emplace_back("--resume");
     result.identity = row.identity;
     result.program = rows.program;
     process.emplace("", row.duration, std::move(arguments));

@@ -11,8 +11,8 @@
 #include "app/files/checksum.h"
 #include "app/files/pending_file.h"
 #include "app/json/json.h"
+#include "app/messages/shell_quoting.h"
 #include "app/process/child_run.h"
-#include "app/words/shell_word.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -88,7 +88,7 @@ std::string slurm_script(const SlurmJob& job, const SlurmOptions& options, const
     const auto ask = [&](const char* option, const std::string& value) {
         if (value.find('\n') != std::string::npos)
             throw Error(fmt::format("a line break cannot be handed to sbatch --{}: '{}'", option, value));
-        if (!value.empty()) script += fmt::format("#SBATCH --{}={}\n", option, shell_word(value));
+        if (!value.empty()) script += fmt::format("#SBATCH --{}={}\n", option, shell_quoted(value));
     };
     ask("job-name", "sherd-" + folder.filename().string());
     ask("array", ranges_text(job.tasks));
@@ -99,7 +99,7 @@ std::string slurm_script(const SlurmJob& job, const SlurmOptions& options, const
     ask("cpus-per-task", std::to_string(job.jobs));
     ask("output", without_patterns((folder / "slurm" / "").string()) + "%A_%a.log");
     std::string command;
-    for (const std::string& word : job.sweep) command += shell_word(word) + " ";
+    for (const std::string& word : job.sweep) command += shell_quoted(word) + " ";
     return script + fmt::format(
                         "first=$((SLURM_ARRAY_TASK_ID * {0}))\n"
                         "exec {1}--jobs {2} --rows $first-$((first + {0} - 1))\n",

@@ -90,7 +90,7 @@ void read_centre(TomlTable& root, CrackCentre& centre) {
 void read_measures(TomlTable& root, const toml::table& document, Study& study) {
     study.measures = read_texts(root, document, "measures", "names of measures");
     for (const std::string& name : study.measures)
-        if (const std::string mistake = measure_mistake(name); !mistake.empty())
+        if (const std::string mistake = measure_error(name); !mistake.empty())
             root.report("measures", mistake);
     study.over = root.number("over", "kg", not_negative, 0.);
     read_centre(root, study.centre);

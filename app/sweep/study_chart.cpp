@@ -9,8 +9,8 @@
 #include <set>
 
 #include "app/chart/palette.h"
+#include "app/messages/number.h"
 #include "app/sweep/bootstrap.h"
-#include "app/words/number.h"
 #include "meshops/error.h"
 
 namespace sherd {

@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 11> fixed_columns{
 
 bool is_study_column(std::string_view name) {
     return std::ranges::find(fixed_columns, name) != fixed_columns.end() ||
-           measure_mistake(std::string(name)).empty();
+           measure_error(std::string(name)).empty();
 }
 
 }  // namespace sherd

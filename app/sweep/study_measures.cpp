@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/words/nearest_name.h"
+#include "app/messages/nearest_name.h"
 
 namespace sherd {
 namespace {
@@ -144,7 +144,7 @@ const std::vector<StudyMeasure>& study_measures() {
     return all;
 }
 
-std::string measure_mistake(const std::string& name) {
+std::string measure_error(const std::string& name) {
     std::vector<std::string> names;
     for (const StudyMeasure& measure : study_measures()) names.push_back(measure.name);
     if (!support_of(name).empty() || std::ranges::find(names, name) != names.end()) return "";
@@ -160,7 +160,7 @@ std::string name_in_measures(const std::string& support) {
     return support.starts_with(obstacle) ? support.substr(obstacle.size()) : support;
 }
 
-std::string support_mistake(const std::string& measure, const std::set<std::string>& supports) {
+std::string support_error(const std::string& measure, const std::set<std::string>& supports) {
     const std::string support = support_of(measure);
     if (support.empty() || supports.contains(support)) return "";
     const std::string nearest = nearest_name(support, std::vector(supports.begin(), supports.end()));

@@ -25,7 +25,7 @@ const std::vector<StudyMeasure>& study_measures();
 
 /// Error for an unknown measure, with the nearest known name; "" if the name is known. "peak_force.NAME" and
 /// "peak_force_time.NAME" are known for any support or obstacle.
-std::string measure_mistake(const std::string& name);
+std::string measure_error(const std::string& name);
 
 /// Returns the name of a support or obstacle behind "peak_force.": "floor" for "obstacle.floor";
 /// "sheet.plate.pin" is unchanged.
@@ -33,7 +33,7 @@ std::string name_in_measures(const std::string& support);
 
 /// Error for a measure of a support or obstacle that the scenes do not have, with the nearest name that they
 /// have; "" if there is none.
-std::string support_mistake(const std::string& measure, const std::set<std::string>& supports);
+std::string support_error(const std::string& measure, const std::set<std::string>& supports);
 
 /// Unit of a measure; empty: a plain number.
 std::string measure_unit(const std::string& name);

@@ -10,14 +10,14 @@
 
 #include "app/files/checksum.h"
 #include "app/files/program_file.h"
+#include "app/messages/number.h"
+#include "app/messages/shell_quoting.h"
 #include "app/scene/build/built_scene.h"
 #include "app/scene/build/supports.h"
 #include "app/scene/read/scene.h"
 #include "app/scene/read/shipped_scenes.h"
 #include "app/sweep/design.h"
 #include "app/sweep/study_measures.h"
-#include "app/words/number.h"
-#include "app/words/shell_word.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -158,7 +158,7 @@ class RowReader {
     /// To be called after all rows: a measure of a support may have no value in some of them.
     void require_supports() {
         for (const std::string& measure : study.measures)
-            if (const std::string mistake = support_mistake(measure, supports); !mistake.empty())
+            if (const std::string mistake = support_error(measure, supports); !mistake.empty())
                 refuse(fmt::format("{}: measures: {}", study.file.string(), mistake));
     }
 
@@ -235,7 +235,7 @@ std::vector<std::string> row_arguments(const StudyRows& rows, const StudyRow& ro
 
 std::string row_command(const StudyRows& rows, const StudyRow& row) {
     std::string command = "sherd";
-    for (const std::string& argument : row_arguments(rows, row)) command += " " + shell_word(argument);
+    for (const std::string& argument : row_arguments(rows, row)) command += " " + shell_quoted(argument);
     return command;
 }
 

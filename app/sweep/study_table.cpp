@@ -7,11 +7,11 @@
 #include <limits>
 
 #include "app/files/checksum.h"
+#include "app/messages/nearest_name.h"
+#include "app/messages/number.h"
 #include "app/recording/hdf5_file.h"
 #include "app/sweep/row_run.h"
 #include "app/sweep/study_measures.h"
-#include "app/words/nearest_name.h"
-#include "app/words/number.h"
 #include "meshops/error.h"
 
 namespace sherd {

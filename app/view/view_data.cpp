@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "app/files/base64.h"
-#include "app/playback/ancestry.h"
+#include "app/playback/frame_parents.h"
 #include "app/playback/tip_history.h"
 #include "app/render/render_colour.h"
 #include "app/render/render_solid.h"
@@ -87,7 +87,7 @@ std::vector<std::uint32_t> changes(const std::vector<std::uint32_t>& before,
 }
 
 /// Places in the frame before that do not follow from the corners that faces keep.
-struct Births {
+struct Insertions {
     std::vector<std::uint32_t> vertices;  ///< number, and three earlier vertices between which it was
     std::vector<float> shares;            ///< shares of these three vertices
     std::vector<std::uint32_t> parts;     ///< pairs of a face and the earlier face of which it is a part
@@ -103,21 +103,24 @@ std::vector<Index> vertices_before(const Snapshot& earlier, const Snapshot& late
     return before;
 }
 
-Births births(const Snapshot& earlier, const Snapshot& later) {
-    const Ancestry exact = ancestry(earlier, later);
+Insertions fragment_splits(const Snapshot& earlier, const Snapshot& later) {
+    const FrameParents exact = frame_parents(earlier, later);
     const std::vector<Index> known = vertices_before(earlier, later);
-    Births births;
+    Insertions fragment_splits;
     for (std::size_t v = 0; v < known.size(); ++v) {
         if (exact.weights[v][0] == 1 && exact.vertices[v][0] == known[v]) continue;
-        births.vertices.push_back(static_cast<std::uint32_t>(v));
-        births.vertices.insert(births.vertices.end(), exact.vertices[v].begin(), exact.vertices[v].end());
-        for (const double share : exact.weights[v]) births.shares.push_back(static_cast<float>(share));
+        fragment_splits.vertices.push_back(static_cast<std::uint32_t>(v));
+        fragment_splits.vertices.insert(fragment_splits.vertices.end(), exact.vertices[v].begin(),
+                                        exact.vertices[v].end());
+        for (const double share : exact.weights[v])
+            fragment_splits.shares.push_back(static_cast<float>(share));
     }
     for (std::size_t f = 0; f < exact.faces.size(); ++f)
         if (exact.faces[f] != static_cast<Index>(f))
-            births.parts.insert(births.parts.end(),
-                                {static_cast<std::uint32_t>(f), static_cast<std::uint32_t>(exact.faces[f])});
-    return births;
+            fragment_splits.parts.insert(
+                fragment_splits.parts.end(),
+                {static_cast<std::uint32_t>(f), static_cast<std::uint32_t>(exact.faces[f])});
+    return fragment_splits;
 }
 
 /// Packs frames in their order.
@@ -141,16 +144,16 @@ class Packer {
         }
         std::vector<std::uint32_t> new_corners = corners_of(snapshot), new_owners = owners_of(snapshot);
         const bool first = corners.empty();
-        const Births born = first ? Births() : births(before, snapshot);
+        const Insertions inserted = first ? Insertions() : fragment_splits(before, snapshot);
         PageJson packed{{"position", base64_of(packed_positions(snapshot.position, low, step))},
                         {"scalar", base64_of(packed_scalar(render_scalar(snapshot, colour).values, largest))},
                         {"state", base64_of(state)},
                         {"lines", base64_of(ends)},
                         {"corners", first ? "" : base64_of(changes(corners, new_corners))},
                         {"owners", first ? "" : base64_of(changes(owners, new_owners))},
-                        {"born", base64_of(born.vertices)},
-                        {"shares", base64_of(born.shares)},
-                        {"parts", base64_of(born.parts)}};
+                        {"born", base64_of(inserted.vertices)},
+                        {"shares", base64_of(inserted.shares)},
+                        {"parts", base64_of(inserted.parts)}};
         corners = std::move(new_corners);
         owners = std::move(new_owners);
         if (look) add_look(snapshot, packed);

@@ -49,7 +49,7 @@ void merge_edges(const Snapshot& frame, std::span<const Index> merged_vertex, Sn
 /// Returns, for each face of the unfractured mesh, the part of it that has corners in three cubes, or itself
 /// if none has.
 std::vector<std::size_t> faces_standing_for_their_parents(const RestMesh& rest, std::span<const Index> cube) {
-    std::vector<std::size_t> standing(rest.unbroken_faces.size());
+    std::vector<std::size_t> standing(rest.unfractured_faces.size());
     std::iota(standing.begin(), standing.end(), std::size_t{0});
     for (std::size_t f = rest.faces.size(); f-- > 0;) {
         const auto& [a, b, c] = rest.faces[f];
@@ -140,7 +140,7 @@ Snapshot MeshThinning::thinned(const Snapshot& frame) const {
         const Index fragment = frame.face_fragment[part];
         std::array<Index, 3> face, rest_face;
         for (int k = 0; k < 3; ++k) {
-            rest_face[k] = cubes[frame.rest.unbroken_faces[f][k]];
+            rest_face[k] = cubes[frame.rest.unfractured_faces[f][k]];
             const auto [place, is_new] = numbers.try_emplace({rest_face[k], fragment}, rest_face[k]);
             if (is_new && std::exchange(given[rest_face[k]], 1)) place->second = more++;
             face[k] = place->second;
@@ -150,7 +150,8 @@ Snapshot MeshThinning::thinned(const Snapshot& frame) const {
         rest_faces.push_back(rest_face);
         if (!frame.rest.thickness.empty()) thickness.push_back(frame.rest.thickness[part]);
     }
-    coarse.rest = unbroken_mesh(Positions::Zero(3, count), std::move(rest_faces), {}, std::move(thickness));
+    coarse.rest =
+        unfractured_mesh(Positions::Zero(3, count), std::move(rest_faces), {}, std::move(thickness));
     // All faces at a vertex are of one fragment.
     std::vector<Index> merged_vertex(frame.position.cols(), -1);
     for (std::size_t f = 0; f < frame.faces.size(); ++f)

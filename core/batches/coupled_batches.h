@@ -15,7 +15,7 @@ namespace sherd {
 class CoupledBatches {
   public:
     void build(const Shell& shell, const CoupledBending& bending);
-    /// of_mirrors: changes of the mirrors' angles, rad; replaced by the energy's derivatives by these, N m.
+    /// mirror_part: changes of the mirrors' angles, rad; replaced by the energy's derivatives by these, N m.
     void find(const PaddedPositions& x, const Threads& threads, std::vector<double>& of_mirrors);
     /// Derivatives of the energy by the angles of hinges at the sides of faces, from the last find().
     const SideMoments& moments() const { return at_sides; }

@@ -17,12 +17,12 @@ ElasticGradient::ElasticGradient(const Shell& shell, const ShellEnergies& energi
                                  const ShellEnergyOptions& options, Threads threads)
     : shell(shell),
       threads(std::move(threads)),
-      cubic(cubic_hinges(energies.of_bending())),
-      of_membrane(options.membrane == MembraneModel::constant_strain) {
+      cubic(cubic_hinges(energies.bending_part())),
+      membrane_part(options.membrane == MembraneModel::constant_strain) {
     if (of_membrane && options.yields.empty()) coupled = energies.coupled_bending();
-    if (coupled == nullptr && cubic == nullptr) others.push_back(&energies.of_bending());
-    if (!of_membrane) others.push_back(&energies.of_membrane());
-    if (coupled == nullptr && !options.mirrors.empty()) others.push_back(&energies.of_mirrors());
+    if (coupled == nullptr && cubic == nullptr) others.push_back(&energies.bending_part());
+    if (!of_membrane) others.push_back(&energies.membrane_part());
+    if (coupled == nullptr && !options.mirrors.empty()) others.push_back(&energies.mirror_part());
 }
 
 void ElasticGradient::build() {

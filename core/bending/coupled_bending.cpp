@@ -18,31 +18,31 @@ CoupledBending::CoupledBending(const Shell& shell, const std::vector<MirrorHinge
       present(folds.present()),
       start(folds.rest_angles()) {}
 
-void CoupledBending::forget_reach() {
+void CoupledBending::invalidate_reach() {
     reach.clear();
-    reach_is_known = false;
+    reach_is_valid = false;
 }
 
-void CoupledBending::forget_reach(const ShellChange& change, std::span<const Index> changed) {
-    if (change.remeshes()) return forget_reach();
-    reach_is_known = false;
-    const auto forget = [&](std::size_t face) {
+void CoupledBending::invalidate_reach(const ShellChange& change, std::span<const Index> changed) {
+    if (change.remeshes()) return invalidate_reach();
+    reach_is_valid = false;
+    const auto invalidate = [&](std::size_t face) {
         reach[face].vertices.clear();
         reach[face].places.clear();
     };
     if (!reach.empty())
-        for (const Index face : changed) forget(face);
+        for (const Index face : changed) invalidate(face);
     std::vector<char> was_split(shell.position.cols(), 0);
-    for (const Heir& heir : change.vertices)
-        for (const auto& [vertex, weight] : heir.parents) was_split[vertex] = 1;
+    for (const IndexWithParents& inserted : change.vertices)
+        for (const auto& [vertex, weight] : inserted.parents) was_split[vertex] = 1;
     for (std::size_t face = 0; face < reach.size(); ++face)
         if (std::ranges::any_of(reach[face].vertices, [&](Index v) { return was_split[v] != 0; }))
-            forget(face);
+            invalidate(face);
 }
 
 const std::vector<CoupledBending::Reach>& CoupledBending::reach_of_faces() const {
-    if (reach_is_known) return reach;
-    reach_is_known = true;
+    if (reach_is_valid) return reach;
+    reach_is_valid = true;
     reach.resize(shell.triangles.size());
     for (std::size_t face = 0; face < reach.size(); ++face) {
         auto& [vertices, places] = reach[face];
@@ -65,10 +65,10 @@ void CoupledBending::start_from(const Positions& x, double factor) {
     scale = factor;
 }
 
-void CoupledBending::let_yield(std::vector<double> yield_of_sheet) {
+void CoupledBending::set_yield(std::vector<double> yield_of_sheet) {
     yields = std::move(yield_of_sheet);
-    kept.resize(shell.triangles.size());
-    keep(shell.position);
+    plastic.resize(shell.triangles.size());
+    store_plastic_curvature(shell.position);
 }
 
 YieldingSection CoupledBending::section(Index face) const {
@@ -77,7 +77,7 @@ YieldingSection CoupledBending::section(Index face) const {
     return {t * t / 12 * membrane.elasticity, yields[shell.face_sheet[face]] * t * t / 6};
 }
 
-double CoupledBending::taken_by_yielding(const Positions& x) const {
+double CoupledBending::dissipated_by_yielding(const Positions& x) const {
     if (yields.empty()) return 0;
     const VectorXd all = changes(x, present);
     double sum = 0;
@@ -87,27 +87,27 @@ double CoupledBending::taken_by_yielding(const Positions& x) const {
     return sum;
 }
 
-void CoupledBending::keep(const Positions& x) {
+void CoupledBending::store_plastic_curvature(const Positions& x) {
     if (yields.empty()) return;
     const VectorXd all = changes(x, present);
     for (Index face = 0; face < faces(); ++face)
-        if (yields_at(face)) kept[face] = yielded(face, curvature.of(face, all)).kept;
+        if (yields_at(face)) plastic[face] = yielded(face, curvature.of(face, all)).plastic;
 }
 
 Matrix3d CoupledBending::stiffness(Index face, const VectorXd& changes) const {
     if (!yields_at(face)) return rigidity(face);
     const YieldingSection here = section(face);
-    const YieldingSection::State state = here.at(curvature.of(face, changes), kept[face]);
-    return shell.triangles[face].membrane.area * here.tangent(state, kept[face]);
+    const YieldingSection::State state = here.at(curvature.of(face, changes), plastic[face]);
+    return shell.triangles[face].membrane.area * here.tangent(state, plastic[face]);
 }
 
 void CoupledBending::topology_changed(const ShellChange& change, const StepContext&) {
     folds.follow(change);
     const std::vector<Index> changed = curvature.follow(change);
     folds.extend(change, start);
-    if (!yields.empty()) append(kept, change.faces, Inheritance::first, KeptBend{});
+    if (!yields.empty()) append(plastic, change.faces, Inheritance::first, PlasticBend{});
     present = folds.present();
-    forget_reach(change, changed);
+    invalidate_reach(change, changed);
 }
 
 double CoupledBending::rigidity_factor(Index face) const {
@@ -134,7 +134,7 @@ Eigen::Matrix3Xd CoupledBending::curvatures_at(std::span<const Index> some, cons
     return of_faces;
 }
 
-Eigen::Matrix3Xd CoupledBending::kept_curvatures(const Positions& x) const {
+Eigen::Matrix3Xd CoupledBending::plastic_curvatures(const Positions& x) const {
     return kept_at(numbers_up_to(faces()), changes(x));
 }
 
@@ -142,7 +142,7 @@ Eigen::Matrix3Xd CoupledBending::kept_at(std::span<const Index> some, const Vect
     Eigen::Matrix3Xd of_faces = Eigen::Matrix3Xd::Zero(3, some.size());
     for (Index i = 0; i < static_cast<Index>(of_faces.cols()); ++i)
         if (const Index face = some[i]; yields_at(face))
-            of_faces.col(i) = yielded(face, curvature.of(face, changes)).kept.curvature;
+            of_faces.col(i) = yielded(face, curvature.of(face, changes)).plastic.curvature;
     return of_faces;
 }
 

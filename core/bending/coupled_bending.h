@@ -25,11 +25,11 @@ class CoupledBending : public Energy {
     void start_from(const Positions& x, double scale);
     /// Makes faces bend plastically beyond yield (YieldingSection), from the shell's positions on.
     /// yield_of_sheet: Pa; 0: never.
-    void let_yield(std::vector<double> yield_of_sheet);
+    void set_yield(std::vector<double> yield_of_sheet);
     /// Part of value() that yielding dissipates in a step that ends at x, J.
-    double taken_by_yielding(const Positions& x) const;
+    double dissipated_by_yielding(const Positions& x) const;
     /// Must be called when a step ends at x: stores the plastic curvatures.
-    void keep(const Positions& x);
+    void store_plastic_curvature(const Positions& x);
 
     /// Changes of the angles of all folds, rad.
     VectorXd changes(const Positions& x) const { return changes(x, folds.present()); }
@@ -37,12 +37,12 @@ class CoupledBending : public Energy {
     /// plastic curvature.
     Eigen::Matrix3Xd curvatures(const Positions& x) const;
     /// Plastic curvature of each face in a step that ends at x, [3, F], 1/m.
-    Eigen::Matrix3Xd kept_curvatures(const Positions& x) const;
+    Eigen::Matrix3Xd plastic_curvatures(const Positions& x) const;
     // Variants for some faces, [3, some].
     Eigen::Matrix3Xd curvatures(const Positions& x, std::span<const Index> some) const {
         return curvatures_at(some, changes(x, curvature.folds_of(some)));
     }
-    Eigen::Matrix3Xd kept_curvatures(const Positions& x, std::span<const Index> some) const {
+    Eigen::Matrix3Xd plastic_curvatures(const Positions& x, std::span<const Index> some) const {
         return kept_at(some, changes(x, curvature.folds_of(some)));
     }
 
@@ -67,10 +67,10 @@ class CoupledBending : public Energy {
     void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const override;
     void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const override;
     void visit_state(StateVisitor& visit) override {
-        auto& [shell, folds, curvature, present, start, scale, yields, kept, reach, reach_is_known, slopes] =
-            *this;
-        visit(folds, curvature, present, start, scale, kept);
-        if (visit.reads()) forget_reach();
+        auto& [shell, folds, curvature, present, start, scale, yields, plastic, reach, reach_is_valid,
+               slopes] = *this;
+        visit(folds, curvature, present, start, scale, plastic);
+        if (visit.reads()) invalidate_reach();
     }
 
   private:
@@ -82,10 +82,10 @@ class CoupledBending : public Energy {
 
     Index faces() const { return static_cast<Index>(shell.triangles.size()); }
     const std::vector<Reach>& reach_of_faces() const;
-    void forget_reach();
+    void invalidate_reach();
     /// Clears the reach of faces that have changed, and of faces that depend on vertices that a crack has
     /// split.
-    void forget_reach(const ShellChange& change, std::span<const Index> changed);
+    void invalidate_reach(const ShellChange& change, std::span<const Index> changed);
     /// The present folds whose vertices are all in a matrix.
     std::vector<Index> present_in(const BlockMatrix& hessian) const;
     /// Derivative of the curvature of a face, times the root of its stiffness, by the positions of the
@@ -104,7 +104,7 @@ class CoupledBending : public Energy {
     bool yields_at(Index face) const { return !yields.empty() && yields[shell.face_sheet[face]] > 0; }
     YieldingSection section(Index face) const;
     YieldingSection::State yielded(Index face, const Vector3d& bent) const {
-        return section(face).at(bent, kept[face]);
+        return section(face).at(bent, plastic[face]);
     }
     /// The derivative of a face's energy by its curvature, J m.
     Vector3d moment(Index face, const Vector3d& bent) const {
@@ -122,11 +122,11 @@ class CoupledBending : public Energy {
     std::vector<Index> present;  ///< Folds::present()
     VectorXd start;              ///< angles of all folds, rad, from which changes are measured
     double scale = 1;
-    std::vector<double> yields;  ///< Pa, yield stress of each sheet; empty: nothing yields
-    std::vector<KeptBend> kept;  ///< [F]; empty: nothing yields
+    std::vector<double> yields;        ///< Pa, yield stress of each sheet; empty: nothing yields
+    std::vector<PlasticBend> plastic;  ///< [F]; empty: nothing yields
     /// Reach of each face, computed on demand; without vertices where it is outdated.
     mutable std::vector<Reach> reach;
-    mutable bool reach_is_known = false;
+    mutable bool reach_is_valid = false;
     mutable std::vector<Folds::Slope> slopes;  ///< buffer, kept to save allocations
 };
 

@@ -80,7 +80,7 @@ Patches::Change Patches::follow(const ShellChange& change) {
     if (result.more_mirrors > 0)
         for (auto& sides : fold_of_side)
             for (Index& fold : sides) fold = result.now(fold);
-    forget_removed(result);
+    drop_removed(result);
     sides_of_edge.resize(shell.edge_hinge.size());
     if (!change.reshaped.empty()) reshape(change, result);
     std::ranges::sort(result.faces);
@@ -88,7 +88,7 @@ Patches::Change Patches::follow(const ShellChange& change) {
     return result;
 }
 
-void Patches::forget_removed(Change& result) {
+void Patches::drop_removed(Change& result) {
     for (Index edge = 0; edge < static_cast<Index>(sides_of_edge.size()); ++edge) {
         const auto sides = sides_of(edge);
         if (!sides || shell.edge_hinge[edge] >= 0) continue;

@@ -81,7 +81,7 @@ class Patches {
     };
 
     void build();
-    void forget_removed(Change& result);
+    void drop_removed(Change& result);
     void reshape(const ShellChange& change, Change& result);
     void enter_mirrors(Change& result);
     void enter_hinges(std::span<const Index> hinges, std::span<const Index> among, Change& result);

@@ -56,11 +56,11 @@ double YieldingSection::work_after(double passed) const {
     return yield_moment * first_curvature() * integral;
 }
 
-YieldingSection::State YieldingSection::at(const Vector3d& bent, const KeptBend& before) const {
+YieldingSection::State YieldingSection::at(const Vector3d& bent, const PlasticBend& before) const {
     const Vector3d elastic = bent - before.curvature;
     State state{rigidity * elastic, before};
     if (mises(state.moment) > moment_after(before.passed)) yield(elastic, state);
-    state.stored = 0.5 * state.moment.dot(bent - state.kept.curvature);
+    state.stored = 0.5 * state.moment.dot(bent - state.plastic.curvature);
     return state;
 }
 
@@ -70,7 +70,7 @@ void YieldingSection::yield(const Vector3d& elastic, State& state) const {
     const auto lowered = [&](double share) {
         return Vector3d((compliance + share * mises_form()).inverse() * elastic);
     };
-    const KeptBend before = state.kept;
+    const PlasticBend before = state.plastic;
     const auto beyond = [&](double share) {
         const double moment = mises(lowered(share));
         return moment - moment_after(before.passed + share * moment);
@@ -83,19 +83,19 @@ void YieldingSection::yield(const Vector3d& elastic, State& state) const {
         beyond, 0.0, most, boost::math::tools::eps_tolerance<double>(), calls);
     const double share = std::midpoint(least, enough);
     state.moment = lowered(share);
-    state.kept.passed += share * mises(state.moment);
-    state.kept.curvature += elastic - compliance * state.moment;
-    state.taken = work_after(state.kept.passed) - work_after(before.passed);
+    state.plastic.passed += share * mises(state.moment);
+    state.plastic.curvature += elastic - compliance * state.moment;
+    state.taken = work_after(state.plastic.passed) - work_after(before.passed);
 }
 
-Matrix3d YieldingSection::tangent(const State& state, const KeptBend& before) const {
-    const double passed = state.kept.passed - before.passed;
+Matrix3d YieldingSection::tangent(const State& state, const PlasticBend& before) const {
+    const double passed = state.plastic.passed - before.passed;
     if (!(passed > 0)) return rigidity;
     const double moment = mises(state.moment);
     const Vector3d along = mises_form() * state.moment / moment;
     const Matrix3d turning = mises_form() / moment - along * along.transpose() / moment;
     const Matrix3d beside = (rigidity.inverse() + passed * turning).inverse();
-    const double u = curvature_after(state.kept.passed / first_curvature()), left = 1 / (u * u * u);
+    const double u = curvature_after(state.plastic.passed / first_curvature()), left = 1 / (u * u * u);
     const double hardening =
         yield_moment / first_curvature() * std::max(least_hardening, left / std::max(1 - left, 1e-12));
     const Vector3d across = beside * along;

@@ -6,7 +6,7 @@
 namespace sherd {
 
 /// Plastic bending of a face.
-struct KeptBend {
+struct PlasticBend {
     Vector3d curvature = Vector3d::Zero();  ///< (00, 11, 2 * 01), 1/m, at which it has no moment
     double passed = 0;                      ///< accumulated plastic curvature, in all directions, 1/m
 };
@@ -31,15 +31,15 @@ class YieldingSection {
         : rigidity(rigidity), yield_moment(yield_moment) {}
 
     struct State {
-        Vector3d moment;    ///< N
-        KeptBend kept;      ///< plastic bending if the step ends there
-        double stored = 0;  ///< J/m^2, elastic
-        double taken = 0;   ///< J/m^2, dissipated in the step
+        Vector3d moment;      ///< N
+        PlasticBend plastic;  ///< plastic bending if the step ends there
+        double stored = 0;    ///< J/m^2, elastic
+        double taken = 0;     ///< J/m^2, dissipated in the step
     };
     /// State at a change of curvature (00, 11, 2 * 01), 1/m, in a step that began with `before`.
-    State at(const Vector3d& bent, const KeptBend& before) const;
+    State at(const Vector3d& bent, const PlasticBend& before) const;
     /// Derivative of the moment by the curvature in that state, N m: symmetric and positive definite.
-    Matrix3d tangent(const State& state, const KeptBend& before) const;
+    Matrix3d tangent(const State& state, const PlasticBend& before) const;
 
   private:
     /// Reduces an elastic moment to one that the section bears. elastic: curvature of the elastic moment,

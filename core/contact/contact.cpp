@@ -7,7 +7,7 @@ namespace sherd {
 
 Contact::Contact(const Shell& shell, ContactOptions given, const ContactStart& start, const Vector3d& gravity,
                  const Threads& threads)
-    : shell(shell), options(std::move(given)), lips(shell.lips) {
+    : shell(shell), options(std::move(given)), crack_faces(shell.crack_faces) {
     const std::vector<Obstacle>& obstacles = options.obstacles;
     if (!start.bodies.empty())
         body_contact = std::make_unique<BodyContact>(shell, start.bodies, obstacles, gravity, start.crossed);
@@ -26,7 +26,7 @@ std::vector<Energy*> Contact::energies() {
     if (body_contact) all.push_back(body_contact.get());
     for (const auto& contact : obstacle_contact) all.push_back(contact.get());
     if (sheet_contact) all.push_back(sheet_contact.get());
-    if (options.sheets) all.push_back(&lips);
+    if (options.sheets) all.push_back(&crack_faces);
     return all;
 }
 
@@ -39,7 +39,7 @@ std::optional<std::string> Contact::overlap() const {
     return sheet_contact ? sheet_contact->overlap(shell.position) : std::nullopt;
 }
 
-double Contact::free_way(const Positions& motion) {
+double Contact::free_fraction(const Positions& motion) {
     double fraction = sheet_contact ? sheet_contact->safe_fraction_of_step(shell.position, motion) : 1;
     if (!body_contact) return fraction;
     if (body_contact->blocked()) return 0;
@@ -47,9 +47,9 @@ double Contact::free_way(const Positions& motion) {
     return std::min(fraction, body_contact->safe_fraction(shell.position, motion));
 }
 
-Positions Contact::pushed_along() const {
+Positions Contact::push_displacement() const {
     if (!sheet_contact) return Positions::Zero(3, shell.position.cols());
-    return sheet_contact->pushed_along(shell.position);
+    return sheet_contact->push_displacement(shell.position);
 }
 
 void Contact::end_at(const Positions& x) {
@@ -80,7 +80,7 @@ double Contact::stored_energy(const Positions& x) const {
     for (const auto& contact : obstacle_contact) sum += contact->stored_energy(x);
     if (body_contact) sum += body_contact->stored_energy(x);
     if (sheet_contact) sum += sheet_contact->value(x);
-    if (options.sheets) sum += lips.value(x);
+    if (options.sheets) sum += crack_faces.value(x);
     return sum;
 }
 
@@ -89,7 +89,7 @@ double Contact::stored_at_start() const {
     for (const auto& contact : obstacle_contact) sum += contact->stored_at_start();
     if (body_contact) sum += body_contact->stored_at_start();
     if (sheet_contact) sum += sheet_contact->stored_at_start();
-    if (options.sheets) sum += lips.value(shell.position);
+    if (options.sheets) sum += crack_faces.value(shell.position);
     return sum;
 }
 
@@ -124,9 +124,9 @@ std::vector<Reaction> Contact::reactions(const Positions& x) const {
     return all;
 }
 
-Positions Contact::lip_forces(const Positions& x) const {
+Positions Contact::crack_face_forces(const Positions& x) const {
     Positions gradient = Positions::Zero(3, x.cols());
-    if (options.sheets) lips.add_gradient(x, gradient);
+    if (options.sheets) crack_faces.add_gradient(x, gradient);
     return -gradient;
 }
 

@@ -7,7 +7,7 @@
 
 #include "core/contact/bodies/body_contact.h"
 #include "core/contact/contact_options.h"
-#include "core/contact/lips/lip.h"
+#include "core/contact/crack_faces/crack_face.h"
 #include "core/contact/penalty/obstacle_contact.h"
 #include "core/contact/sheets/sheet_contact.h"
 #include "core/contact/sheets/sheet_friction.h"
@@ -36,15 +36,17 @@ class Contact {
     std::optional<std::string> overlap() const;
     /// Fraction, 0 to 1, of a motion [3, V] m from the beginning of the step that is free of collisions,
     /// while obstacles move to their poses at its end.
-    double free_way(const Positions& motion);
+    double free_fraction(const Positions& motion);
     /// Displacement in the step, m, [3, V], by which moving obstacles push the vertices near them; zero for
     /// other vertices.
-    Positions pushed_along() const;
+    Positions push_displacement() const;
     /// Moves the bodies to the end of the step, with the shell at x; the step stays open.
     void end_at(const Positions& x);
     /// Whether the optimal poses of the bodies have been found for the shell at x; if not, the step is too
     /// long.
-    bool bodies_arrive(const Positions& x) const { return !body_contact || body_contact->arrive(x); }
+    bool bodies_have_optimal_poses(const Positions& x) const {
+        return !body_contact || body_contact->have_optimal_poses(x);
+    }
     /// Whether sheets, obstacles or bodies pass through each other in the step that ends with the shell at x.
     /// The shell moves straight, obstacles by their motion, bodies along their screws. The iterates of a
     /// minimiser may have gone around a rim.
@@ -66,11 +68,12 @@ class Contact {
     Touch touch(const Positions& x) const;  ///< with obstacles and bodies
     /// The reactions of the obstacles: their forces on sheets and bodies.
     std::vector<Reaction> reactions(const Positions& x) const;
-    Positions lip_forces(const Positions& x) const;  ///< N, [3, V], between crack faces (lips)
-    double lip_overlap(const Positions& x) const { return lips.largest_overlap(x); }  ///< m
+    Positions crack_face_forces(const Positions& x) const;  ///< N, [3, V], between crack faces
+    double crack_face_overlap(const Positions& x) const { return crack_faces.largest_overlap(x); }  ///< m
     void visit_state(StateVisitor& visit) {
-        auto& [shell, options, body_contact, obstacle_contact, sheet_contact, sheet_friction, lips] = *this;
-        visit(body_contact, obstacle_contact, sheet_contact, sheet_friction, lips);
+        auto& [shell, options, body_contact, obstacle_contact, sheet_contact, sheet_friction, crack_faces] =
+            *this;
+        visit(body_contact, obstacle_contact, sheet_contact, sheet_friction, crack_faces);
     }
 
   private:
@@ -81,7 +84,7 @@ class Contact {
     /// Null if sheets do not collide with each other and no obstacle has a surface.
     std::unique_ptr<SheetContact> sheet_contact;
     std::unique_ptr<SheetFriction> sheet_friction;  ///< null without sheet_contact
-    LipContact lips;
+    CrackFaceContact crack_faces;
 };
 
 }  // namespace sherd

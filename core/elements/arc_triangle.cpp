@@ -62,12 +62,12 @@ Vector3d side_squares(const TrianglePositions& x) {
     return {along(x, 0).squaredNorm(), along(x, 1).squaredNorm(), along(x, 2).squaredNorm()};
 }
 
-Vector3d bows(const Vector3d& rest_squares, const TrianglePositions& x, const Vector3d& curvature) {
+Vector3d arc_sagittas(const Vector3d& rest_squares, const TrianglePositions& x, const Vector3d& curvature) {
     return side_squares(x).cwiseProduct(rest_squares).cwiseProduct(curvature.cwiseAbs2()) / 12;
 }
 
 Vector3d green_strain(const ArcTriangle& triangle, const TrianglePositions& x, const Vector3d& curvature) {
-    const Vector3d longer = bows(triangle.rest_squares, x, curvature) - triangle.start;
+    const Vector3d longer = arc_sagittas(triangle.rest_squares, x, curvature) - triangle.start;
     return green_strain(triangle.membrane, x) + strain_of_squares(triangle.membrane) * longer;
 }
 

@@ -16,13 +16,13 @@ namespace sherd {
 struct ArcTriangle {
     MembraneTriangle membrane;
     Vector3d rest_squares;  ///< m^2, l^2 of the sides
-    Vector3d start;         ///< m^2, bows() in the shape where the energy is zero
+    Vector3d start;         ///< m^2, arc_sagittas() in the shape where the energy is zero
 };
 
 /// The squares of the sides' lengths, m^2.
 Vector3d side_squares(const TrianglePositions& x);
 /// Increase of the squares of the sides' lengths at x by their curvature, [3] 1/m: [3] m^2.
-Vector3d bows(const Vector3d& rest_squares, const TrianglePositions& x, const Vector3d& curvature);
+Vector3d arc_sagittas(const Vector3d& rest_squares, const TrianglePositions& x, const Vector3d& curvature);
 
 /// Green strain (00, 11, 2 * 01) in the rest frame.
 Vector3d green_strain(const ArcTriangle& triangle, const TrianglePositions& x, const Vector3d& curvature);

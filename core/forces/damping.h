@@ -67,7 +67,7 @@ class MassDamping : public ElementEnergy<VertexSprings> {
         per_mass = coefficient / step.lag;
         elements = {per_mass * shell.mass, step.origin};
     }
-    double of_mass() const override { return per_mass; }
+    double hessian_per_mass() const override { return per_mass; }
     Task task() const override { return Task::loads; }
     void visit_state(StateVisitor& visit) override {
         static_assert(has_only<MassDamping, ElementEnergy<VertexSprings>, decltype(shell),

@@ -21,7 +21,7 @@ CornerForce at_vertex(const Shell& shell, const ShellChange& change, Index from,
     for (const auto& [face, parents] : change.reshaped)
         for (int corner = 0; corner < 3; ++corner) {
             if (shell.triangles[face].vertices[corner] != vertex) continue;
-            const auto own = std::ranges::find(parents, from, &Heir::Parent::element);
+            const auto own = std::ranges::find(parents, from, &IndexWithParents::Parent::element);
             const double share = own == parents.end() ? 0 : own->weight;
             if (share <= most) continue;
             most = share;

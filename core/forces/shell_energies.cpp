@@ -19,7 +19,7 @@ std::vector<MirrorHinge> uncoupled_mirrors(const ShellEnergyOptions& options) {
 CoupledBending* yielding_part(Energy& bending, const ShellEnergyOptions& options) {
     if (options.yields.empty()) return nullptr;
     auto* coupled = dynamic_cast<CoupledBending*>(&bending);
-    if (coupled != nullptr) coupled->let_yield(options.yields);
+    if (coupled != nullptr) coupled->set_yield(options.yields);
     return coupled;
 }
 
@@ -72,9 +72,9 @@ std::optional<Eigen::Matrix3Xd> ShellEnergies::coupled_curvatures(const Position
     return coupled->curvatures(x);
 }
 
-std::optional<Eigen::Matrix3Xd> ShellEnergies::kept_curvatures(const Positions& x) const {
+std::optional<Eigen::Matrix3Xd> ShellEnergies::plastic_curvatures(const Positions& x) const {
     if (yielding == nullptr) return std::nullopt;
-    return yielding->kept_curvatures(x);
+    return yielding->plastic_curvatures(x);
 }
 
 Eigen::Matrix3Xd ShellEnergies::face_strains(const Positions& x) const {
@@ -87,10 +87,10 @@ std::optional<Eigen::Matrix3Xd> ShellEnergies::coupled_curvatures(const Position
     return coupled->curvatures(x, faces);
 }
 
-std::optional<Eigen::Matrix3Xd> ShellEnergies::kept_curvatures(const Positions& x,
-                                                               std::span<const Index> faces) const {
+std::optional<Eigen::Matrix3Xd> ShellEnergies::plastic_curvatures(const Positions& x,
+                                                                  std::span<const Index> faces) const {
     if (yielding == nullptr) return std::nullopt;
-    return yielding->kept_curvatures(x, faces);
+    return yielding->plastic_curvatures(x, faces);
 }
 
 Eigen::Matrix3Xd ShellEnergies::face_strains(const Positions& x, std::span<const Index> faces) const {

@@ -58,9 +58,9 @@ class ShellEnergies {
 
     /// The elastic energies, in the order in which they are summed.
     std::vector<Energy*> elastic() { return {bending.get(), membrane.get(), &mirrors}; }
-    const Energy& of_bending() const { return *bending; }
-    const Energy& of_membrane() const { return *membrane; }
-    const MirrorEnergy& of_mirrors() const { return mirrors; }  ///< mirrors of hinges that are not coupled
+    const Energy& bending_part() const { return *bending; }
+    const Energy& membrane_part() const { return *membrane; }
+    const MirrorEnergy& mirror_part() const { return mirrors; }  ///< mirrors of hinges that are not coupled
     std::vector<Energy*> loads();
     const std::vector<OuterEnergy>& outer() const { return others; }
     /// Whether a clamp or a symmetry plane has a prescribed motion.
@@ -77,15 +77,15 @@ class ShellEnergies {
 
     /// Elastic energy of bending, J.
     double bending_value(const Positions& x) const {
-        return bending->value(x) - taken_by_yielding(x) + mirrors.value(x);
+        return bending->value(x) - dissipated_by_yielding(x) + mirrors.value(x);
     }
     /// Energy that bending dissipates by yielding in a step that ends at x, J.
-    double taken_by_yielding(const Positions& x) const {
-        return yielding != nullptr ? yielding->taken_by_yielding(x) : 0;
+    double dissipated_by_yielding(const Positions& x) const {
+        return yielding != nullptr ? yielding->dissipated_by_yielding(x) : 0;
     }
     /// Must be called when a step ends at x: stores the plastic curvatures.
-    void keep(const Positions& x) {
-        if (yielding != nullptr) yielding->keep(x);
+    void store_plastic_curvature(const Positions& x) {
+        if (yielding != nullptr) yielding->store_plastic_curvature(x);
     }
     const CoupledBending* coupled_bending() const { return coupled; }  ///< null if hinges are not coupled
     /// Changes of curvature of all faces (CoupledBending::curvatures()); none: hinges are not coupled.
@@ -93,14 +93,15 @@ class ShellEnergies {
     /// Changes of curvature of all faces, of coupled hinges or else of single ones (curvatures_of_hinges(),
     /// by height).
     Eigen::Matrix3Xd face_curvatures(const Positions& x) const;
-    /// Plastic curvatures of all faces (CoupledBending::kept_curvatures()); none: nothing yields.
-    std::optional<Eigen::Matrix3Xd> kept_curvatures(const Positions& x) const;
+    /// Plastic curvatures of all faces (CoupledBending::plastic_curvatures()); none: nothing yields.
+    std::optional<Eigen::Matrix3Xd> plastic_curvatures(const Positions& x) const;
     /// Green strain of all faces, [3, F], as the membrane measures it.
     Eigen::Matrix3Xd face_strains(const Positions& x) const;
     // Variants for some faces, [3, faces].
     std::optional<Eigen::Matrix3Xd> coupled_curvatures(const Positions& x,
                                                        std::span<const Index> faces) const;
-    std::optional<Eigen::Matrix3Xd> kept_curvatures(const Positions& x, std::span<const Index> faces) const;
+    std::optional<Eigen::Matrix3Xd> plastic_curvatures(const Positions& x,
+                                                       std::span<const Index> faces) const;
     Eigen::Matrix3Xd face_strains(const Positions& x, std::span<const Index> faces) const;
     double membrane_value(const Positions& x) const { return membrane->value(x); }  ///< J
 

@@ -74,8 +74,8 @@ void ArcMembrane::measure_from_rest() {
     for (std::size_t face = 0; face < shell.triangles.size(); ++face) {
         const TrianglePositions rest = corners(shell.rest, face);
         const Vector3d squares = side_squares(rest);
-        triangles.push_back(
-            {shell.triangles[face].membrane, squares, bows(squares, rest, curvature.of(face, angles))});
+        triangles.push_back({shell.triangles[face].membrane, squares,
+                             arc_sagittas(squares, rest, curvature.of(face, angles))});
     }
 }
 
@@ -85,7 +85,7 @@ void ArcMembrane::start_from(const Positions& x, double scale) {
         const TrianglePositions start = corners(x, face);
         auto& [membrane, squares, bow] = triangles[face];
         membrane = membrane_triangle(start, scale * shell.triangles[face].membrane.elasticity);
-        bow = bows(squares, start, curvature.of(face, angles));
+        bow = arc_sagittas(squares, start, curvature.of(face, angles));
     }
 }
 

@@ -21,15 +21,15 @@ enum class Inheritance {
 
 /// Appends the values that new elements inherit to an array of columns, or of numbers; zero for an element
 /// without parents.
-void append(Positions& columns, std::span<const Heir> heirs);
-void append(VectorXd& values, std::span<const Heir> heirs);
+void append(Positions& columns, std::span<const IndexWithParents> inserted);
+void append(VectorXd& values, std::span<const IndexWithParents> inserted);
 
 /// Lets positions or velocities of vertices [3, V] follow a change: inserted vertices are appended, and moved
 /// vertices get the mean of their parents.
 void follow(Positions& of_vertices, const ShellChange& change);
 
 /// Gives moved vertices the mean of their parents' values.
-void follow_moves(VectorXd& of_vertices, std::span<const Heir> moved);
+void follow_moves(VectorXd& of_vertices, std::span<const IndexWithParents> moved);
 
 /// Lets numbers of edges follow a change: copies have their parent's, and edges across old faces the mean of
 /// the finite ones of the edges around these; `missing` if there is none.
@@ -37,16 +37,17 @@ void follow_around(std::vector<double>& of_edges, const ShellChange& change, dou
 
 /// Appends the values of new elements to a list by `rule`; `missing` for an element that inherits nothing.
 template <class T>
-void append(std::vector<T>& values, std::span<const Heir> heirs, Inheritance rule, const T& missing) {
-    const auto agree = [&](const std::vector<Heir::Parent>& parents) {
+void append(std::vector<T>& values, std::span<const IndexWithParents> inserted, Inheritance rule,
+            const T& missing) {
+    const auto agree = [&](const std::vector<IndexWithParents::Parent>& parents) {
         if constexpr (std::equality_comparable<T>)
-            return std::ranges::all_of(parents, [&](const Heir::Parent& parent) {
+            return std::ranges::all_of(parents, [&](const IndexWithParents::Parent& parent) {
                 return values[parent.element] == values[parents.front().element];
             });
         else
             return parents.size() == 1;
     };
-    for (const auto& [element, parents] : heirs) {
+    for (const auto& [element, parents] : inserted) {
         const bool inherits = rule == Inheritance::copies
                                   ? parents.size() == 1
                                   : !parents.empty() && rule != Inheritance::none &&

@@ -75,7 +75,7 @@ void follow_in_motion(const Shell& shell, const ShellChange& change, Positions& 
     std::vector<Index> patch;
     for (const auto& [vertex, mass] : change.weights) patch.push_back(vertex);
     if (patch.empty()) return;
-    for (const Heir& born : change.vertices) patch.push_back(born.element);
+    for (const IndexWithParents& inserted : change.vertices) patch.push_back(inserted.element);
     const Vector3d middle = centre_of(shell, patch, position);
     Momentum then, now;  // sums about `middle`
     for (const auto& [vertex, mass] : change.weights)

@@ -26,10 +26,10 @@ void resize(std::vector<T>& values, Index count, Inheritance, const T& missing) 
 }  // namespace
 
 void Shell::visit_state(StateVisitor& visit) {
-    auto& [rest, position, velocity, mass, thickness, young, footprint, fixed, script, guide, held,
+    auto& [rest, position, velocity, mass, thickness, young, footprint, fixed, script, guide, support_set,
            vertex_sheet, kept, triangles, face_mass, face_sheet, face_axis, edge_hinge, edge_strength,
-           edge_toughness, edge_strength_factor, edge_toughness_factor, edge_kept, hinges, hinge_edge, twins,
-           near, start_depths, lips, guides, motions, holds, uneven] = *this;
+           edge_toughness, edge_strength_factor, edge_toughness_factor, edge_kept, hinges, hinge_edge,
+           exempt_pairs, near, start_depths, crack_faces, guides, motions, support_sets, uneven] = *this;
     std::size_t colliders = start_depths.size();
     visit(colliders);
     start_depths.resize(colliders);
@@ -37,7 +37,7 @@ void Shell::visit_state(StateVisitor& visit) {
     visit_vertices(*this, visit_list);
     visit_edges(*this, visit_list);
     visit_faces(*this, visit_list);
-    visit(hinges, hinge_edge, twins, near, lips);
+    visit(hinges, hinge_edge, exempt_pairs, near, crack_faces);
 }
 
 void resize_vertices(Shell& shell, Index count) {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/contact/lips/lip.h"
+#include "core/contact/crack_faces/crack_face.h"
 #include "core/elements/hinge.h"
 #include "core/elements/membrane.h"
 #include "core/material/material.h"
@@ -28,11 +28,11 @@ struct HingeStencil {
 };
 
 /// The directions in which a support holds a vertex and no earlier support does.
-struct Hold {
+struct SupportDirections {
     Index support;        ///< number of a pin, clamp or symmetry plane
     Matrix3d directions;  ///< a projection
 
-    bool operator==(const Hold&) const = default;
+    bool operator==(const SupportDirections&) const = default;
 };
 
 /// Two vertices whose elements repel each other only below a distance.
@@ -45,12 +45,13 @@ struct NearVertices {
 
 /// Overlap of the sheets with one collider since the start.
 struct StartDepth {
-    VectorXd depth;            ///< [V] m, overlap beyond which the collider exerts forces; it never grows
-    std::vector<char> unseen;  ///< [V] whether elements with this vertex do not meet the collider's surface
+    VectorXd depth;  ///< [V] m, overlap beyond which the collider exerts forces; it never grows
+    std::vector<char>
+        surface_exempt;  ///< [V] whether elements with this vertex do not meet the collider's surface
 
     void visit_state(StateVisitor& visit) {
-        auto& [depth, unseen] = *this;
-        visit(depth, unseen);
+        auto& [depth, surface_exempt] = *this;
+        visit(depth, surface_exempt);
     }
 };
 
@@ -69,7 +70,8 @@ struct Shell {
     std::vector<char> fixed;    ///< [V] 1 where a pin holds the vertex
     std::vector<Index> script;  ///< [V] 0, or the number, from 1, of the vertex's prescribed motion
     std::vector<char> guide;    ///< [V] 0, or the number, from 1, of the guide that the vertex slides along
-    std::vector<Index> held;    ///< [V] 0, or the number, from 1, of the vertex's entry in `holds`
+    std::vector<Index>
+        support_set;  ///< [V] 0, or the number, from 1, of the vertex's entry in `support_sets`
     std::vector<Index>
         vertex_sheet;  ///< [V] number of the sheet that the vertex belongs to, also after breaking
     std::vector<char>
@@ -94,16 +96,17 @@ struct Shell {
     /// Exempt pairs of vertices, ascending. Elements that contain one vertex each do not collide in
     /// SheetContact, since the vertices coincide at a crack that has just opened, or their faces cross since
     /// the start.
-    std::vector<std::array<Index, 2>> twins;
+    std::vector<std::array<Index, 2>> exempt_pairs;
     /// Pairs that are nearer, since the start, than others may come; ascending.
     std::vector<NearVertices> near;
     /// Overlaps with each obstacle, then with each free body; empty: there are none.
     std::vector<StartDepth> start_depths;
-    std::vector<LipStencil> lips;          ///< crack faces (lips) of these cracks
-    std::vector<Matrix3d> guides;          ///< projections to the free directions: a plane, or a line
-    std::vector<Motion> motions;           ///< prescribed motions of vertices, from their rest positions
-    std::vector<std::vector<Hold>> holds;  ///< supports that together hold a vertex, for reactions
-    bool uneven = false;                   ///< whether the thickness of a sheet differs from place to place
+    std::vector<CrackFaceStencil> crack_faces;  ///< crack faces of these cracks
+    std::vector<Matrix3d> guides;               ///< projections to the free directions: a plane, or a line
+    std::vector<Motion> motions;                ///< prescribed motions of vertices, from their rest positions
+    std::vector<std::vector<SupportDirections>>
+        support_sets;     ///< supports that together hold a vertex, for reactions
+    bool uneven = false;  ///< whether the thickness of a sheet differs from place to place
 
     /// Supports are given at the start, and no part of the state.
     void visit_state(StateVisitor& visit);
@@ -123,12 +126,12 @@ void visit_vertices(S& shell, Visit visit) {
     visit(shell.fixed, Inheritance::common, char(0));
     visit(shell.script, Inheritance::common, Index(0));
     visit(shell.guide, Inheritance::common, char(0));
-    visit(shell.held, Inheritance::common, Index(0));
+    visit(shell.support_set, Inheritance::common, Index(0));
     visit(shell.vertex_sheet, Inheritance::first, Index(0));
     visit(shell.kept, Inheritance::copies, char(0));
     for (auto& start : shell.start_depths) {
         visit(start.depth);
-        visit(start.unseen, Inheritance::first, char(0));
+        visit(start.surface_exempt, Inheritance::first, char(0));
     }
 }
 

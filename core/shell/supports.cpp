@@ -24,9 +24,9 @@ Positions scripted_part(const Shell& shell, const Positions& displacement) {
 
 void add_reactions(const Shell& shell, const Positions& x, const Positions& forces,
                    std::span<Reaction> of_supports) {
-    for (std::size_t v = 0; v < shell.held.size(); ++v) {
-        if (shell.held[v] == 0) continue;
-        for (const auto& [support, directions] : shell.holds[shell.held[v] - 1])
+    for (std::size_t v = 0; v < shell.support_set.size(); ++v) {
+        if (shell.support_set[v] == 0) continue;
+        for (const auto& [support, directions] : shell.support_sets[shell.support_set[v] - 1])
             of_supports[support].add(x.col(v), directions * forces.col(v));
     }
 }

@@ -30,7 +30,7 @@ std::vector<TriangleEdge> sides_after(const Shell& shell, const ShellChange& cha
     if (was == nullptr) return {side};
     const auto find = [&](Index from, Index to) {
         std::vector<TriangleEdge> found;
-        for (const Heir& face : change.reshaped)
+        for (const IndexWithParents& face : change.reshaped)
             for (int corner = 0; corner < 3; ++corner)
                 if (const auto [a, b, c] = edge_and_apex(shell, {face.element, corner}); a == from && b == to)
                     found.push_back({face.element, corner});
@@ -39,8 +39,9 @@ std::vector<TriangleEdge> sides_after(const Shell& shell, const ShellChange& cha
     const Index from = was->vertices[(side.corner + 1) % 3], to = was->vertices[(side.corner + 2) % 3];
     std::vector<TriangleEdge> after = find(from, to);
     if (!after.empty()) return after;
-    for (const Heir& born : change.vertices) {
-        const std::vector<TriangleEdge> first = find(from, born.element), second = find(born.element, to);
+    for (const IndexWithParents& inserted : change.vertices) {
+        const std::vector<TriangleEdge> first = find(from, inserted.element),
+                                        second = find(inserted.element, to);
         if (!first.empty() && !second.empty()) return {first.front(), second.front()};
     }
     return {};

@@ -24,7 +24,7 @@ void set_hessian(const Potential& potential, const Positions& x, const Positions
 bool HessianPatch::build(const Potential& potential, const VertexGraph& graph, const Positions& x,
                          const Positions* elsewhere, const std::vector<char>& inside,
                          const Threads& threads) {
-    const Shell& shell = potential.of_shell();
+    const Shell& shell = potential.mechanics();
     std::vector<std::pair<Index, Index>> pairs = potential.contacts(x);
     if (elsewhere != nullptr) {
         const std::vector<std::pair<Index, Index>> there = potential.contacts(*elsewhere);

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/shell/pieces.h"
-#include "core/solver/vertex_turns.h"
+#include "core/solver/vertex_rotations.h"
 
 namespace sherd {
 namespace {
@@ -34,15 +34,15 @@ void grow(const Shell& shell, std::vector<char>& flags) {
 /// Inertia and mass damping of each vertex's piece, N/m, [V]: the only resistance of a loose piece to a rigid
 /// motion, and small beside the elastic stiffness of a small piece. 0 where pins or guides hold the piece.
 VectorXd inertia_of_pieces(const Potential& potential) {
-    const Shell& shell = potential.of_shell();
+    const Shell& shell = potential.mechanics();
     const Pieces all = pieces(shell);
     VectorXd mass = VectorXd::Zero(all.count), result(shell.mass.size());
     for (Index v = 0; v < static_cast<Index>(result.size()); ++v) mass[all.of_vertex[v]] += shell.mass[v];
     for (Index v = 0; v < static_cast<Index>(result.size()); ++v)
         if (shell.fixed[v] || shell.guide[v]) mass[all.of_vertex[v]] = 0;
-    const double of_mass = potential.of_mass();
+    const double hessian_per_mass = potential.hessian_per_mass();
     for (Index v = 0; v < static_cast<Index>(result.size()); ++v)
-        result[v] = of_mass * mass[all.of_vertex[v]];
+        result[v] = hessian_per_mass * mass[all.of_vertex[v]];
     return result;
 }
 
@@ -62,14 +62,14 @@ void LaggedSystem::factorize(const Potential& potential, const Positions& x) {
     sources.resize(x.cols());
     std::iota(sources.begin(), sources.end(), 0);
     cracked.assign(x.cols(), 0);
-    frames = inverse_frames(potential.of_shell(), x);
-    turns.clear();
+    frames = inverse_frames(potential.mechanics(), x);
+    rotations.clear();
     of_piece = inertia_of_pieces(potential);
     in_factor = potential.contact_stiffness(x);
-    forget(x);
+    reset(x);
 }
 
-void LaggedSystem::forget(Positions x) {
+void LaggedSystem::reset(Positions x) {
     patch.clear();
     fitted.clear();
     fitted.push_back({in_factor, std::move(x)});
@@ -77,9 +77,9 @@ void LaggedSystem::forget(Positions x) {
 }
 
 void LaggedSystem::turn(const Potential& potential, const Positions& x) {
-    turns = vertex_turns(potential.of_shell(), frames, x);
+    rotations = vertex_rotations(potential.mechanics(), frames, x);
     of_piece = inertia_of_pieces(potential);
-    forget();
+    reset();
 }
 
 bool LaggedSystem::differ(std::size_t vertex, const Matrix3d& stiffness, const Matrix3d& known,
@@ -90,8 +90,8 @@ bool LaggedSystem::differ(std::size_t vertex, const Matrix3d& stiffness, const M
     if (loose > 0 && !is_within(change, allowed + small_change * (known + loose * Matrix3d::Identity())))
         return true;
     const Matrix3d block = small_change * system.hessian().diagonal_block(sources[vertex]);
-    if (turns.empty()) return !is_within(change, allowed + block);
-    const Matrix3d& turn = turns[vertex];
+    if (rotations.empty()) return !is_within(change, allowed + block);
+    const Matrix3d& turn = rotations[vertex];
     return !is_within(turn.transpose() * change * turn, turn.transpose() * allowed * turn + block);
 }
 
@@ -106,7 +106,7 @@ std::vector<char> LaggedSystem::changed(const Shell& shell, const std::vector<Ma
     return flags;
 }
 
-bool LaggedSystem::is_known(const std::vector<Matrix3d>& stiffness, std::size_t count) const {
+bool LaggedSystem::is_unchanged(const std::vector<Matrix3d>& stiffness, std::size_t count) const {
     const std::size_t first = fitted.size() - std::min(count, fitted.size());
     for (std::size_t v = 0; v < stiffness.size(); ++v) {
         std::size_t i = fitted.size();
@@ -119,10 +119,10 @@ bool LaggedSystem::is_known(const std::vector<Matrix3d>& stiffness, std::size_t 
 LaggedSystem::Fit LaggedSystem::fit(const Potential& potential, const Positions& x) {
     std::vector<Matrix3d> stiffness = potential.contact_stiffness(x);
     const bool is_patched = !patch.empty() || std::ranges::count(cracked, 1) == 0;
-    if (is_patched && is_known(stiffness, fits_two ? 2 : 1)) return Fit::fits;
+    if (is_patched && is_unchanged(stiffness, fits_two ? 2 : 1)) return Fit::fits;
     const Positions& before = fitted.back().x;
-    fits_two = fitted.size() == most_fitted && before.size() > 0 && is_known(stiffness, most_fitted);
-    const std::vector<char> inside = changed(potential.of_shell(), stiffness);
+    fits_two = fitted.size() == most_fitted && before.size() > 0 && is_unchanged(stiffness, most_fitted);
+    const std::vector<char> inside = changed(potential.mechanics(), stiffness);
     const auto count = static_cast<double>(std::ranges::count(inside, 1));
     patch.clear();
     if (count > largest_patch * static_cast<double>(inside.size())) return Fit::needs_factor;
@@ -140,16 +140,17 @@ Positions LaggedSystem::solve_lagged(const Potential& potential, const Positions
     Positions gathered = Positions::Zero(3, system.hessian().size() / 3);
     for (std::size_t v = 0; v < sources.size(); ++v) {
         const auto column = right_side.col(static_cast<Eigen::Index>(v));
-        if (turns.empty())
+        if (rotations.empty())
             gathered.col(sources[v]) += column;
         else
-            gathered.col(sources[v]) += turns[v].transpose() * column;
+            gathered.col(sources[v]) += rotations[v].transpose() * column;
     }
     const Positions solution = system.solve(potential, gathered);
     Positions motion(3, right_side.cols());
     for (std::size_t v = 0; v < sources.size(); ++v) {
         const auto column = solution.col(sources[v]);
-        motion.col(static_cast<Eigen::Index>(v)) = turns.empty() ? Vector3d(column) : turns[v] * column;
+        motion.col(static_cast<Eigen::Index>(v)) =
+            rotations.empty() ? Vector3d(column) : rotations[v] * column;
     }
     return motion;
 }
@@ -168,21 +169,21 @@ void LaggedSystem::topology_changed(const ShellChange& change) {
     graph = {};
     if (change.remeshes()) sources.clear();
     if (!has_factor()) return;
-    for (const Heir& heir : change.vertices) {
-        if (heir.parents.empty()) return sources.clear();
-        const Index parent = heir.parents.front().element;
+    for (const IndexWithParents& inserted : change.vertices) {
+        if (inserted.parents.empty()) return sources.clear();
+        const Index parent = inserted.parents.front().element;
         sources.push_back(sources[parent]);
         in_factor.push_back(in_factor[parent]);
         cracked[parent] = 1;
         cracked.push_back(1);
     }
-    forget();
-    turns.clear();
+    reset();
+    rotations.clear();
 }
 
 void LaggedSystem::visit_state(StateVisitor& visit) {
-    auto& [threads, system, outdated, sources, cracked, frames, turns, of_piece, in_factor, fitted, fits_two,
-           graph, patch] = *this;
+    auto& [threads, system, outdated, sources, cracked, frames, rotations, of_piece, in_factor, fitted,
+           fits_two, graph, patch] = *this;
     visit(system, outdated, sources, cracked, frames, in_factor);
     if (has_factor()) system.visit_factor(visit);
 }

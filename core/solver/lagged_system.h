@@ -53,13 +53,13 @@ class LaggedSystem {
     bool differ(std::size_t vertex, const Matrix3d& stiffness, const Matrix3d& known, double part) const;
     /// Whether the contact stiffness of each vertex is like that in one of the last `count` systems of this
     /// search.
-    bool is_known(const std::vector<Matrix3d>& stiffness, std::size_t count) const;
+    bool is_unchanged(const std::vector<Matrix3d>& stiffness, std::size_t count) const;
     /// Flags, [V], of the vertices where the contact stiffness, or the other one in an alternating patch,
     /// differs from the factor, and of those around them.
     std::vector<char> changed(const Shell& shell, const std::vector<Matrix3d>& stiffness) const;
     /// Drops the patch and all known systems but that of the factor. x: its positions; empty: of an earlier
     /// search.
-    void forget(Positions x = {});
+    void reset(Positions x = {});
 
     Threads threads;
     NewtonSystem system;
@@ -67,7 +67,7 @@ class LaggedSystem {
     std::vector<Index> sources;       ///< [V] vertex of the factor for each vertex; empty: no factor
     std::vector<char> cracked;        ///< [V] whether a crack has changed the sheet there since
     std::vector<Matrix3d> frames;     ///< [F] inverse frames at the factorization
-    std::vector<Matrix3d> turns;      ///< [V] rotations since then; empty: none
+    std::vector<Matrix3d> rotations;  ///< [V] rotations since then; empty: none
     VectorXd of_piece;                ///< [V] N/m, see inertia_of_pieces()
     std::vector<Matrix3d> in_factor;  ///< [V] N/m, contact stiffness in the factor
     std::deque<Fitted> fitted;        ///< the last systems of a search, the present one last

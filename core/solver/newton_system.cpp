@@ -45,8 +45,8 @@ bool NewtonSystem::keeps_order() {
 }
 
 void NewtonSystem::follow(const ShellChange& change) {
-    for (const Heir& heir : change.vertices)
-        parents.push_back(heir.parents.empty() ? 0 : heir.parents.front().element);
+    for (const IndexWithParents& inserted : change.vertices)
+        parents.push_back(inserted.parents.empty() ? 0 : inserted.parents.front().element);
 }
 
 void NewtonSystem::topology_changed(const ShellChange& change, const Potential& potential,

@@ -39,9 +39,9 @@ double Potential::round_off() const {
     return sum;
 }
 
-double Potential::of_mass() const {
+double Potential::hessian_per_mass() const {
     double sum = 0;
-    each([&](const Energy& energy) { sum += energy.of_mass(); });
+    each([&](const Energy& energy) { sum += energy.hessian_per_mass(); });
     return sum;
 }
 

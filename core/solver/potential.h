@@ -22,7 +22,7 @@ class Potential {
     void moved_to(const Positions& x);
     /// Contribution of inertia and mass damping to the Hessian in the open step, for each unit of mass,
     /// 1/s^2.
-    double of_mass() const;
+    double hessian_per_mass() const;
 
     double value(const Positions& x) const;        ///< J
     double round_off() const;                      ///< J, bound on the value's error by cancellation
@@ -43,7 +43,7 @@ class Potential {
     void contact_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const;
     /// Fraction, 0 to 1, of a straight motion from x [3, V] in which nothing passes through a sheet.
     double safe_fraction(const Positions& x, const Positions& motion) const;
-    const Shell& of_shell() const { return shell; }
+    const Shell& mechanics() const { return shell; }
     /// Account of the computing time.
     TimeSpent& time_spent() const { return spent; }
 

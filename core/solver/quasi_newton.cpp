@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/shell/mean_edge_length.h"
-#include "core/solver/kept_momentum.h"
+#include "core/solver/conserve_momentum.h"
 
 namespace sherd {
 namespace {
@@ -39,7 +39,7 @@ constexpr double far_too_long = 0.5;
 constexpr double falls_fast = 0.2;
 /// If the first correction of an old factor is far too long, at most this number of searches begin with a new
 /// factor.
-constexpr int most_anew = 16;
+constexpr int most_fresh_searches = 16;
 /// Slowest rate at which corrections are taken to fall. It is the rate until two corrections of the same
 /// system are known, and no rate is taken to be faster than the one before: a system that is too stiff makes
 /// small corrections.
@@ -79,11 +79,11 @@ double between(const Place& near, const Place& far, const Place& farther, double
 
 void QuasiNewton::topology_changed(const ShellChange& change, const Potential&, const Positions&) {
     system.topology_changed(change);
-    anew = 0;  // a crack does not move the sheet
+    fresh_searches = 0;  // a crack does not move the sheet
 }
 
 double QuasiNewton::iterations_per_factorization(const Potential& potential) const {
-    const auto vertices = static_cast<double>(potential.of_shell().mass.size());
+    const auto vertices = static_cast<double>(potential.mechanics().mass.size());
     return system.iterations_per_factorization(entries_of_hessian * vertices, entries_of_forces * vertices);
 }
 
@@ -132,7 +132,7 @@ double QuasiNewton::left(const Positions& direction, Search& search) {
 
 bool QuasiNewton::advance(const Potential& potential, const Positions& direction, double slope, Positions& x,
                           Search& search) {
-    double limit = std::min(1.0, search.short_way / direction.cwiseAbs().maxCoeff());
+    double limit = std::min(1.0, search.longest_move / direction.cwiseAbs().maxCoeff());
     double whole = limit * potential.safe_fraction(x, limit * direction);
     double scale = whole;
     Place near{0, slope}, far, farther;
@@ -175,10 +175,11 @@ bool QuasiNewton::advance(const Potential& potential, const Positions& direction
 
 void QuasiNewton::begin(const Potential& potential, const Positions& x, Search& search) {
     search.gradient = potential.gradient(x);
-    search.short_way = share_of_edge * mean_edge_length(potential.of_shell());
+    search.longest_move = share_of_edge * mean_edge_length(potential.mechanics());
     search.round_off = potential.round_off() + 1e-12 * std::abs(potential.value(x));
-    search.is_old = system.has_factor() && anew == 0 && spent < iterations_per_factorization(potential);
-    if (anew > 0) --anew;
+    search.is_old =
+        system.has_factor() && fresh_searches == 0 && spent < iterations_per_factorization(potential);
+    if (fresh_searches > 0) --fresh_searches;
     if (search.is_old)
         system.turn(potential, x);
     else
@@ -187,7 +188,7 @@ void QuasiNewton::begin(const Potential& potential, const Positions& x, Search& 
 
 void QuasiNewton::refit(const Potential& potential, const Positions& x, Search& search) {
     if (search.exact) return;
-    if (search.each_anew) return factorize(potential, x, search);
+    if (search.always_factorize) return factorize(potential, x, search);
     const LaggedSystem::Fit fit = system.fit(potential, x);
     if (fit == LaggedSystem::Fit::needs_factor) factorize(potential, x, search);
     if (fit == LaggedSystem::Fit::patched) {
@@ -197,20 +198,20 @@ void QuasiNewton::refit(const Potential& potential, const Positions& x, Search& 
         search.too_long = false;  // because of a contact
     }
     if (!is_slow(potential, search)) return;
-    search.each_anew = !search.is_old && search.too_long && search.total == 2;
+    search.always_factorize = !search.is_old && search.too_long && search.total == 2;
     if (search.is_old && search.too_long && search.total == 1)
-        anew = anew_next = std::min(2 * anew_next, most_anew);
+        fresh_searches = next_fresh_searches = std::min(2 * next_fresh_searches, most_fresh_searches);
     factorize(potential, x, search);
 }
 
 void QuasiNewton::end(const Search& search) {
     fewest = fewest == 0 ? search.iterations : std::min(fewest, search.iterations);
     spent += search.iterations - fewest;
-    if (search.is_old) anew_next = 1;
+    if (search.is_old) next_fresh_searches = 1;
 }
 
-void QuasiNewton::Search::judge_factor(double correction) {
-    if (correction < falls_fast * last_exact) each_anew = false;
+void QuasiNewton::Search::assess_factor(double correction) {
+    if (correction < falls_fast * last_exact) always_factorize = false;
     last_exact = correction;
 }
 
@@ -230,7 +231,7 @@ MinimiserResult QuasiNewton::minimise(Potential& potential, int max_iterations, 
         result.correction = direction.cwiseAbs().maxCoeff();
         const bool is_near = left(direction, search) <= may_be_left * tolerance;
         result.converged |= is_near;
-        if (result.converged) keep_momentum(potential, x, search.gradient, tolerance, direction);
+        if (result.converged) conserve_momentum(potential, x, search.gradient, tolerance, direction);
         potential.moved_to(x);
         const bool was_exact = search.exact;
         const double force = search.gradient.cwiseAbs().maxCoeff();
@@ -239,7 +240,7 @@ MinimiserResult QuasiNewton::minimise(Potential& potential, int max_iterations, 
                             result.correction <= share_of_round_off * tolerance))
                 break;
             if (result.converged && ++more > most_more) break;
-            if (was_exact) search.judge_factor(result.correction);
+            if (was_exact) search.assess_factor(result.correction);
         } else if (result.converged || was_exact) {
             break;
         } else {
@@ -252,8 +253,8 @@ MinimiserResult QuasiNewton::minimise(Potential& potential, int max_iterations, 
 }
 
 void QuasiNewton::visit_state(StateVisitor& visit) {
-    auto& [tolerance, system, fewest, spent, anew, anew_next] = *this;
-    visit(system, fewest, spent, anew, anew_next);
+    auto& [tolerance, system, fewest, spent, fresh_searches, next_fresh_searches] = *this;
+    visit(system, fewest, spent, fresh_searches, next_fresh_searches);
 }
 
 }  // namespace sherd

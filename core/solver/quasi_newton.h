@@ -29,7 +29,7 @@ class QuasiNewton : public Minimiser {
     struct Search {
         Positions gradient;       ///< N, at x
         UpdateMemory updates{8};  ///< updates since the last factorization of this search
-        double short_way = 0;     ///< m, see share_of_edge
+        double longest_move = 0;  ///< m, see share_of_edge
         double round_off = 0;     ///< J, round-off of the potential
         double last = 0;          ///< m, largest coordinate of the last correction; 0: of another factor
         double rate = 0;          ///< rate at which corrections have fallen
@@ -39,10 +39,10 @@ class QuasiNewton : public Minimiser {
         bool exact = false;       ///< whether the factor is that of the Hessian at x
         bool too_long = false;    ///< whether the last correction was too long, and not because of a contact
         bool is_old = false;      ///< whether the factor was made for another search
-        bool each_anew = false;   ///< whether each correction gets a new factor, as in Newton's method
+        bool always_factorize = false;  ///< whether each correction gets a new factor, as in Newton's method
 
         /// Ends new factors for each correction if corrections with a factor of x fall fast.
-        void judge_factor(double correction);
+        void assess_factor(double correction);
     };
 
     void begin(const Potential& potential, const Positions& x, Search& search);
@@ -66,9 +66,10 @@ class QuasiNewton : public Minimiser {
 
     double tolerance;
     LaggedSystem system;
-    int fewest = 0;               ///< fewest iterations of a search with the present factor; 0: no search yet
-    double spent = 0;             ///< iterations in excess of those, since the factorization
-    int anew = 0, anew_next = 1;  ///< searches to begin with a new factor, and half of the next number
+    int fewest = 0;    ///< fewest iterations of a search with the present factor; 0: no search yet
+    double spent = 0;  ///< iterations in excess of those, since the factorization
+    int fresh_searches = 0,
+        next_fresh_searches = 1;  ///< searches to begin with a new factor, and half of the next number
 };
 
 }  // namespace sherd

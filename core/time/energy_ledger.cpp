@@ -31,7 +31,7 @@ double EnergyLedger::topology_changed(double stored, double moving, bool remeshe
 
 void EnergyLedger::finish(const StepWork& work, double stored, double moving) {
     EnergyBalance now = work.balance;
-    now.lost_to_scheme = taken_by_scheme(work, stored);
+    now.lost_to_scheme = dissipated_by_scheme(work, stored);
     now.lost_to_cracks += opened + last - at_begin;
     now.lost_to_remeshing += reshaped + slowed;
     const double gained = now.work_of_loads + now.work_of_wind + now.work_of_supports + now.work_of_obstacles;

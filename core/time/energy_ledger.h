@@ -36,7 +36,7 @@ class EnergyLedger {
     double topology_changed(double stored, double moving, bool remeshed);
     void finish(const StepWork& work, double stored, double moving);
     /// Returns the energy that the scheme dissipates in the open step with this work, J.
-    double taken_by_scheme(const StepWork& work, double stored) const {
+    double dissipated_by_scheme(const StepWork& work, double stored) const {
         return work.balance.lost_to_scheme + work.against_stored - (stored - at_begin) - opened - reshaped;
     }
 

@@ -87,7 +87,7 @@ void ExplicitStepper::open(double of_step) {
     work = {};
     inertia_work = 0;
     choose_substep();
-    if (first || made) feel();
+    if (first || made) update_forces();
     first = made = false;
 }
 
@@ -99,17 +99,17 @@ void ExplicitStepper::choose_substep() {
     const Stopwatch watch(spent, Task::elasticity);
     const double strain = forces.face_strains(shell.position).cwiseAbs().maxCoeff();
     // Every crack counts: a face that it separates may have a far higher frequency than with its neighbours.
-    if (changed || strain > strain_then + growth) {
-        of_shell = highest_frequency([this](const Positions& x) { return elastic_gradient.at(x); }, shell,
-                                     shell.position, mode);
+    if (changed || strain > strain_at_estimate + growth) {
+        shell_frequency = highest_frequency([this](const Positions& x) { return elastic_gradient.at(x); },
+                                            shell, shell.position, mode);
         changed = false;
-        strain_then = strain;
+        strain_at_estimate = strain;
     }
     // Gravity is included: a sheet at rest that just touches another comes into contact within the step.
     Positions motion = step.length * shell.velocity;
     motion.colwise() += step.length * step.length * options.gravity;
-    of_contact = resolution_of_contact * std::sqrt(contact.largest_rate(step, motion));
-    const double highest = std::hypot(of_shell, of_contact);
+    contact_frequency = resolution_of_contact * std::sqrt(contact.largest_rate(step, motion));
+    const double highest = std::hypot(shell_frequency, contact_frequency);
     const double stable = stable_substep(highest, options.shell.damping, step.length);
     substeps = std::max(1, static_cast<int>(std::ceil(step.length / stable - 1e-9)));
     length = step.length / substeps;
@@ -118,16 +118,17 @@ void ExplicitStepper::choose_substep() {
 void ExplicitStepper::visit_state(StateVisitor& visit) {
     static_assert(
         has_only<ExplicitStepper, Stepper, decltype(threads), decltype(elastic_gradient), decltype(contact),
-                 decltype(opening), decltype(elastic), decltype(step), decltype(of_shell),
-                 decltype(of_contact), decltype(substeps), decltype(length), decltype(first), decltype(made),
-                 decltype(changed), decltype(strain_then), decltype(mode), decltype(velocity),
-                 decltype(acceleration), decltype(forces_now), decltype(mass), decltype(of_mass),
-                 decltype(gravity), decltype(guided), decltype(moved), decltype(acceleration_before),
-                 decltype(forces_before), decltype(energies_now), decltype(work), decltype(inertia_work)>());
+                 decltype(opening), decltype(elastic), decltype(step), decltype(shell_frequency),
+                 decltype(contact_frequency), decltype(substeps), decltype(length), decltype(first),
+                 decltype(made), decltype(changed), decltype(strain_at_estimate), decltype(mode),
+                 decltype(velocity), decltype(acceleration), decltype(forces_now), decltype(mass),
+                 decltype(inverse_mass), decltype(gravity), decltype(guided), decltype(moved),
+                 decltype(acceleration_before), decltype(forces_before), decltype(energies_now),
+                 decltype(work), decltype(inertia_work)>());
     Stepper::visit_state(visit);
     if (visit.reads()) elastic_gradient.shell_changed();
-    visit(contact, opening, step, of_shell, of_contact, substeps, length, first, made, changed, strain_then,
-          mode, velocity, acceleration, forces_now, energies_now, work, inertia_work);
+    visit(contact, opening, step, shell_frequency, contact_frequency, substeps, length, first, made, changed,
+          strain_at_estimate, mode, velocity, acceleration, forces_now, energies_now, work, inertia_work);
 }
 
 template <class Range>
@@ -156,7 +157,7 @@ void ExplicitStepper::find_forces() {
     contact.find_forces({length, position, velocity}, forces_now.contact);
 }
 
-void ExplicitStepper::feel() {
+void ExplicitStepper::update_forces() {
     find_forces();
     forces_now.elastic.resize(3, position.cols());
     forces_now.damping.setZero(3, options.shell.damping.stiffness > 0 ? position.cols() : 0);
@@ -171,7 +172,7 @@ void ExplicitStepper::accelerate(Index begin, Index end) {
     if (forces_now.damping.cols() > 0) accelerations += some(forces_now.damping);
     if (forces_now.opening.cols() > 0) accelerations += some(forces_now.opening);
     for (const Positions& one : forces_now.outer) accelerations += some(one);
-    accelerations = accelerations * some(of_mass) + some(gravity);
+    accelerations = accelerations * some(inverse_mass) + some(gravity);
     for (auto v = std::ranges::lower_bound(guided, begin); v != guided.end() && *v < end; ++v)
         acceleration.col(*v) = constrained(shell, *v, acceleration.col(*v));
 }
@@ -179,12 +180,12 @@ void ExplicitStepper::accelerate(Index begin, Index end) {
 void ExplicitStepper::measure_vertices() {
     const Eigen::Index count = shell.mass.size();
     mass = Vector3d::Ones() * shell.mass.transpose();
-    of_mass = mass.cwiseInverse();
+    inverse_mass = mass.cwiseInverse();
     gravity = options.gravity.replicate(1, count);
     guided.clear();
     for (Index v = 0; v < static_cast<Index>(count); ++v) {
         if (shell.fixed[v]) {
-            of_mass.col(v).setZero();
+            inverse_mass.col(v).setZero();
             gravity.col(v).setZero();
         } else if (shell.guide[v] != 0) {
             guided.push_back(v);
@@ -359,16 +360,16 @@ void ExplicitStepper::topology_changed(const ShellChange& change) {
     append(acceleration, change.vertices);
     measure_vertices();
     const Positions before = acceleration;
-    feel();
+    update_forces();
     const double gone = ledger.topology_changed(stored(), moving(velocity, position), change.remeshes());
     if (!change.opening) return;
-    opening.open(*change.opening, kept_forces(before), position, gone);
+    opening.open(*change.opening, balancing_forces(before), position, gone);
     forces_now.opening.setZero(3, position.cols());
     opening.add_forces(forces_now.opening);
     accelerate();
 }
 
-Positions ExplicitStepper::kept_forces(const Positions& before) const {
+Positions ExplicitStepper::balancing_forces(const Positions& before) const {
     Positions kept = (before - acceleration) * shell.mass.asDiagonal();
     constrain(shell, kept);
     return kept;

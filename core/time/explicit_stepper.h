@@ -30,19 +30,19 @@ class ExplicitStepper : public Stepper {
     /// The iterations of the result are substeps.
     StepResult solve(int max_iterations) override;
     bool solves_again() const override { return false; }
-    double held(Index edge) const override { return opening.held(edge); }
-    double taken_by_scheme() override { return ledger.taken_by_scheme(all_work(), stored()); }
+    double cohesive_share(Index edge) const override { return opening.cohesive_share(edge); }
+    double dissipated_by_scheme() override { return ledger.dissipated_by_scheme(all_work(), stored()); }
     void topology_changed(const ShellChange& change) override;
     void finish() override;
 
     std::vector<Reaction> reactions() const override;
     Touch touch() const override { return contact.touch(position); }
-    Positions lip_forces() const override { return contact.lip_forces(position); }
-    double lip_overlap() const override { return contact.lip_overlap(position); }
+    Positions crack_face_forces() const override { return contact.crack_face_forces(position); }
+    double crack_face_overlap() const override { return contact.crack_face_overlap(position); }
     const std::vector<RigidBody>& bodies() const override { return contact.of_bodies().bodies(); }
     std::vector<char> crossed() const override { return contact.of_bodies().crossed(); }
     std::optional<Index> fastest_triangle() const override {
-        if (of_contact > of_shell || mode.cols() == 0) return std::nullopt;
+        if (contact_frequency > shell_frequency || mode.cols() == 0) return std::nullopt;
         return sherd::fastest_triangle(shell, mode);
     }
 
@@ -84,7 +84,7 @@ class ExplicitStepper : public Stepper {
     /// depend on the velocity take `velocity` as it is: in the middle of a substep.
     void find_forces();
     /// Updates forces and accelerations at `position`.
-    void feel();
+    void update_forces();
     void accelerate() { accelerate(0, static_cast<Index>(position.cols())); }
     void accelerate(Index begin, Index end);
     void make_substep(double from);
@@ -105,7 +105,7 @@ class ExplicitStepper : public Stepper {
 
     /// Forces, N, that must be added to the present ones so that vertices have the accelerations `before`
     /// (m/s^2).
-    Positions kept_forces(const Positions& before) const;
+    Positions balancing_forces(const Positions& before) const;
 
     Threads threads;
     ElasticGradient elastic_gradient;
@@ -113,20 +113,20 @@ class ExplicitStepper : public Stepper {
     OpeningEdges opening{OpeningEdges::Fading::by_work};
     std::vector<Energy*> elastic;
     StepContext step;                  ///< the open step, or the last one
-    double of_shell = 0;               ///< rad/s, highest frequency without contact
-    double of_contact = 0;             ///< rad/s, bound on the frequency of contact alone
+    double shell_frequency = 0;        ///< rad/s, highest frequency without contact
+    double contact_frequency = 0;      ///< rad/s, bound on the frequency of contact alone
     int substeps = 0;                  ///< number of substeps in the open step, or in the last one
     double length = 0;                 ///< s, length of a substep
     bool first = true;                 ///< whether no step has begun yet
     bool made = false;                 ///< whether the open step has been made, in full or in part
     bool changed = true;               ///< whether the shell has changed since the frequency was estimated
-    double strain_then = 0;            ///< largest strain of all faces then
+    double strain_at_estimate = 0;     ///< largest strain of all faces then
     Positions mode;                    ///< [3, V] of the highest frequency
     Positions velocity, acceleration;  ///< m/s, m/s^2, at `position`
     Forces forces_now;
     // Copies of the shell's data, [3, V]: masses, kg; inverse masses, 1/kg, and gravity, m/s^2, both zero for
     // fixed vertices; and the guided vertices, ascending.
-    Positions mass, of_mass, gravity;
+    Positions mass, inverse_mass, gravity;
     std::vector<Index> guided;
     // Displacements in the open substep, m, [3, V], and the state at its beginning; members to save
     // allocations.

@@ -78,13 +78,13 @@ StepResult ImplicitStepper::begin(double length) {
 bool ImplicitStepper::predict() {
     const Positions motion = inertia.predicted() - shell.position;
     position = inertia.predicted();
-    if (free_way(motion) == 1) return true;
+    if (free_fraction(motion) == 1) return true;
     // Vertices and obstacles with prescribed motion have to arrive, so they move first, if necessary together
     // with the vertices that they push. The others follow until contact stops them.
     const Positions scripted = scripted_part(shell, motion);
     for (const bool along : {false, true}) {
-        const Positions first = along ? scripted + pushed_along() : scripted;
-        if (free_way(first) < 1) continue;
+        const Positions first = along ? scripted + push_displacement() : scripted;
+        if (free_fraction(first) < 1) continue;
         const Positions others = motion - first;
         position = shell.position + first;
         potential.moved_to(position);
@@ -100,14 +100,14 @@ std::optional<std::string> ImplicitStepper::overlap() {
     return contact.overlap();
 }
 
-double ImplicitStepper::free_way(const Positions& motion) {
+double ImplicitStepper::free_fraction(const Positions& motion) {
     if (contact.empty()) return 1;
     const Stopwatch watch(spent, Task::contact);
-    return contact.free_way(motion);
+    return contact.free_fraction(motion);
 }
 
-Positions ImplicitStepper::pushed_along() const {
-    Positions pushed = contact.pushed_along();
+Positions ImplicitStepper::push_displacement() const {
+    Positions pushed = contact.push_displacement();
     constrain(shell, pushed);
     return pushed;
 }
@@ -119,7 +119,7 @@ StepResult ImplicitStepper::solve(int max_iterations) {
         const Stopwatch of_contact(spent, Task::contact);
         if (contact.passes(step, position))
             result.outcome = Outcome::passage;
-        else if (!contact.bodies_arrive(position))
+        else if (!contact.bodies_have_optimal_poses(position))
             result.outcome = Outcome::too_long;
     }
     ledger.solved(stored());
@@ -153,23 +153,23 @@ void ImplicitStepper::topology_changed(const ShellChange& change) {
     if (change.opening) opening.open(*change.opening, kept, position, gone);
 }
 
-Positions ImplicitStepper::newly_unbalanced(std::span<const Heir> heirs) {
+Positions ImplicitStepper::newly_unbalanced(std::span<const IndexWithParents> inserted) {
     Positions before = unbalanced;
-    if (before.cols() > 0) append(before, heirs);
+    if (before.cols() > 0) append(before, inserted);
     unbalanced = potential.gradient(position) * shell.mass.cwiseInverse().asDiagonal();
     return (before.cols() > 0 ? Positions(unbalanced - before) : unbalanced) * shell.mass.asDiagonal();
 }
 
-double ImplicitStepper::taken_by_scheme() {
+double ImplicitStepper::dissipated_by_scheme() {
     contact.end_at(position);
-    return ledger.taken_by_scheme(work(), stored());
+    return ledger.dissipated_by_scheme(work(), stored());
 }
 
 void ImplicitStepper::finish() {
     contact.finish(position);
     const StepWork of_step = work();
     ledger.finish(of_step, stored(), moving(step.velocity(position), position));
-    forces.keep(position);
+    forces.store_plastic_curvature(position);
     if (path) path->finish(step, position);
     scheme->finish(step, position, shell);
     opening.finish();
@@ -226,7 +226,7 @@ StepWork ImplicitStepper::work() {
     balance.work_of_supports = (gradient - free).cwiseProduct(moved).sum() + of_mirrors;
     balance.work_of_obstacles = contact.obstacle_work(step, position);
     balance.lost_to_friction = contact.friction_loss(position);
-    balance.lost_to_yield = forces.taken_by_yielding(position);
+    balance.lost_to_yield = forces.dissipated_by_yielding(position);
     all.against_stored += of_mirrors + balance.work_of_obstacles - balance.lost_to_friction -
                           balance.lost_to_yield - balance.lost_to_cracks;
     return all;

@@ -33,14 +33,14 @@ class ImplicitStepper : public Stepper {
     void topology_changed(const ShellChange& change) override;
     void finish() override;
 
-    double held(Index edge) const override { return opening.held(edge); }
-    double taken_by_scheme() override;
+    double cohesive_share(Index edge) const override { return opening.cohesive_share(edge); }
+    double dissipated_by_scheme() override;
     double load() const override { return step.load; }
     bool arrived() const override { return path && path->arrived(); }
     std::vector<Reaction> reactions() const override;
     Touch touch() const override { return contact.touch(position); }
-    Positions lip_forces() const override { return contact.lip_forces(position); }
-    double lip_overlap() const override { return contact.lip_overlap(position); }
+    Positions crack_face_forces() const override { return contact.crack_face_forces(position); }
+    double crack_face_overlap() const override { return contact.crack_face_overlap(position); }
     const std::vector<RigidBody>& bodies() const override { return contact.bodies(); }
     std::vector<char> crossed() const override { return contact.crossed(); }
     void visit_state(StateVisitor& visit) override;
@@ -49,7 +49,7 @@ class ImplicitStepper : public Stepper {
     double stored_in_contact() const override { return contact.stored_energy(position); }
     /// Stores the unbalanced forces, and returns their increase since the last call, N, [3, V]. heirs:
     /// vertices inserted since then.
-    Positions newly_unbalanced(std::span<const Heir> heirs);
+    Positions newly_unbalanced(std::span<const IndexWithParents> inserted);
     std::vector<Energy*> all_energies();
     std::optional<std::string> overlap();
     /// Moves `position` to the minimum, or to the equilibrium, without further bookkeeping.
@@ -58,9 +58,9 @@ class ImplicitStepper : public Stepper {
     /// do not arrive.
     bool predict();
     /// Fraction, 0 to 1, of a motion from the beginning of the step that passes through nothing.
-    double free_way(const Positions& motion);
+    double free_fraction(const Positions& motion);
     /// Displacement in the step, m, [3, V], by which moving obstacles push the vertices near them.
-    Positions pushed_along() const;
+    Positions push_displacement() const;
     /// Work of the step that ends at `position`, when the bodies have finished it and the shell has not.
     StepWork work();
     /// Adds inertia and weight to the gradient, and sets the energy that the scheme dissipates in the

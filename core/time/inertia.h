@@ -15,7 +15,7 @@ class Inertia : public ElementEnergy<VertexSprings> {
     Inertia(const Shell& shell, const Vector3d& gravity)
         : ElementEnergy({}), shell(shell), gravity(gravity) {}
     void begin(const StepContext& step) override;
-    double of_mass() const override { return per_mass; }
+    double hessian_per_mass() const override { return per_mass; }
     Task task() const override { return Task::other; }
 
     /// Predictor y, m, [3, V]; for fixed vertices, their positions at the end of the step.

@@ -23,12 +23,12 @@ std::vector<Index> vertices_under(const Positions& forces) {
 
 }  // namespace
 
-void OpeningEdges::Kept::add(double factor, Positions& sum) const {
+void OpeningEdges::CohesiveEdge::add(double factor, Positions& sum) const {
     for (std::size_t i = 0; i < vertices.size(); ++i)
         sum.col(vertices[i]) += factor * forces.col(static_cast<Index>(i));
 }
 
-void OpeningEdges::Kept::cancel(Positions& others) {
+void OpeningEdges::CohesiveEdge::cancel(Positions& others) {
     const double size = share * forces.squaredNorm();
     if (size == 0) return;
     const double opposed = std::clamp(-forces.cwiseProduct(columns_of(others)).sum() / size, 0.0, 1.0);
@@ -38,34 +38,34 @@ void OpeningEdges::Kept::cancel(Positions& others) {
     taken *= 1 - opposed;
 }
 
-void OpeningEdges::Kept::fade_until(double end) {
+void OpeningEdges::CohesiveEdge::fade_until(double end) {
     share = end - since < lasts ? 1 - (end - since) / lasts : 0;
 }
 
-void OpeningEdges::open(const Opening& edge, Positions forces, const Positions& x, double gone) {
+void OpeningEdges::open(const Opening& edge, Positions forces, const Positions& x, double released) {
     if (fading == Fading::by_work) {
-        for (Kept& one : all) one.cancel(forces);
-        std::erase_if(all, [](const Kept& one) { return one.needed == 0; });
+        for (CohesiveEdge& one : all) one.cancel(forces);
+        std::erase_if(all, [](const CohesiveEdge& one) { return one.needed == 0; });
     }
-    if (!(edge.energy > gone)) return;
+    if (!(edge.energy > released)) return;
     const std::vector<Index> vertices = vertices_under(forces);
-    all.push_back({edge.edge, vertices, forces(Eigen::all, vertices), edge.energy - gone, edge.time,
+    all.push_back({edge.edge, vertices, forces(Eigen::all, vertices), edge.energy - released, edge.time,
                    x(Eigen::all, vertices), start});
     if (fading == Fading::by_time) all.back().fade_until(end);
 }
 
-double OpeningEdges::held(Index edge) const {
-    const auto found = std::ranges::find(all, edge, &Kept::edge);
+double OpeningEdges::cohesive_share(Index edge) const {
+    const auto found = std::ranges::find(all, edge, &CohesiveEdge::edge);
     if (found == all.end()) return 0;
     return fading == Fading::by_time ? found->share : std::sqrt(1 - found->taken / found->needed);
 }
 
 void OpeningEdges::add_forces(Positions& sum) const {
-    for (const Kept& one : all) one.add(one.share, sum);
+    for (const CohesiveEdge& one : all) one.add(one.share, sum);
 }
 
 void OpeningEdges::fade(const Positions& moved, double length) {
-    for (Kept& one : all) {
+    for (CohesiveEdge& one : all) {
         const double against = one.against(moved);
         one.age += length;
         const double reached = one.taken + one.share * std::max(0.0, against);
@@ -74,8 +74,9 @@ void OpeningEdges::fade(const Positions& moved, double length) {
         one.share = against < 0 ? 0 : std::min(left, std::max(0.0, 1 - one.age / (longest * one.lasts)));
         one.taken = left > 0 ? one.taken + std::max(0.0, 0.5 * (before + one.share) * against) : one.needed;
     }
-    std::erase_if(all,
-                  [](const Kept& one) { return one.taken >= one.needed || one.age >= longest * one.lasts; });
+    std::erase_if(all, [](const CohesiveEdge& one) {
+        return one.taken >= one.needed || one.age >= longest * one.lasts;
+    });
 }
 
 void OpeningEdges::begin_step(const StepContext& step, const Positions& x) {
@@ -85,12 +86,12 @@ void OpeningEdges::begin_step(const StepContext& step, const Positions& x) {
     is_solved = false;
     settled = 0;
     shell_changed(x);
-    for (Kept& one : all) one.fade_until(end);
+    for (CohesiveEdge& one : all) one.fade_until(end);
 }
 
 void OpeningEdges::settle() {
     settled = taken();
-    for (Kept& one : all) {
+    for (CohesiveEdge& one : all) {
         one.needed -= one.taken;
         one.taken = 0;
         one.before = one.share;
@@ -103,12 +104,12 @@ void OpeningEdges::shell_changes() {
 }
 
 void OpeningEdges::shell_changed(const Positions& x) {
-    for (Kept& one : all) one.at = one.columns_of(x);
+    for (CohesiveEdge& one : all) one.at = one.columns_of(x);
 }
 
 void OpeningEdges::solved(const Positions& x) {
     is_solved = true;
-    for (Kept& one : all) {
+    for (CohesiveEdge& one : all) {
         const double against = one.against_until(x);
         one.taken = std::clamp(0.5 * (one.before + one.share) * against, 0.0, one.needed);
         one.closes = against < 0;
@@ -117,24 +118,25 @@ void OpeningEdges::solved(const Positions& x) {
 
 void OpeningEdges::finish() {
     settle();
-    std::erase_if(all, [](const Kept& one) { return one.share == 0 || one.needed <= 0 || one.closes; });
+    std::erase_if(all,
+                  [](const CohesiveEdge& one) { return one.share == 0 || one.needed <= 0 || one.closes; });
     finished = all;
 }
 
 double OpeningEdges::taken() const {
     double sum = settled;
-    for (const Kept& one : all) sum += one.taken;
+    for (const CohesiveEdge& one : all) sum += one.taken;
     return sum;
 }
 
 double OpeningEdges::value(const Positions& x) const {
     double sum = 0;
-    for (const Kept& one : all) sum += one.share * one.against_until(x);
+    for (const CohesiveEdge& one : all) sum += one.share * one.against_until(x);
     return sum;
 }
 
 void OpeningEdges::add_gradient(const Positions&, Positions& gradient) const {
-    for (const Kept& one : all) one.add(-one.share, gradient);
+    for (const CohesiveEdge& one : all) one.add(-one.share, gradient);
 }
 
 }  // namespace sherd

@@ -29,11 +29,11 @@ class OpeningEdges : public Energy {
     enum class Fading { by_work, by_time };
     explicit OpeningEdges(Fading fading) : fading(fading) {}
 
-    /// Adds an edge that fails at x, [3, V] m. forces: [3, V] N, those that held it together; gone: J, stored
-    /// energy that was lost at once.
-    void open(const Opening& edge, Positions forces, const Positions& x, double gone);
+    /// Adds an edge that fails at x, [3, V] m. forces: [3, V] N, those that held it together; released: J,
+    /// stored energy that was lost at once.
+    void open(const Opening& edge, Positions forces, const Positions& x, double released);
     /// Share of the cohesive force of an edge that still acts; 0 for an open edge.
-    double held(Index edge) const;
+    double cohesive_share(Index edge) const;
     bool empty() const { return all.empty(); }
     /// Adds the present forces to `sum`, N, [3, V].
     void add_forces(Positions& sum) const;
@@ -67,7 +67,7 @@ class OpeningEdges : public Energy {
     }
 
   private:
-    struct Kept {
+    struct CohesiveEdge {
         Index edge;
         std::vector<Index> vertices;  ///< ascending
         Positions forces;             ///< N, on each of the vertices
@@ -108,9 +108,9 @@ class OpeningEdges : public Energy {
 
     Fading fading;
     double start = 0, end = 0;  ///< s, of the open step; in statics infinity, so that all forces have faded
-    std::vector<Kept> all, finished;  ///< now, and at the end of the last finished step
-    bool is_solved = false;           ///< whether the step has been solved since the last change
-    double settled = 0;               ///< J, dissipated in the open step before the last change
+    std::vector<CohesiveEdge> all, finished;  ///< now, and at the end of the last finished step
+    bool is_solved = false;                   ///< whether the step has been solved since the last change
+    double settled = 0;                       ///< J, dissipated in the open step before the last change
 };
 
 }  // namespace sherd

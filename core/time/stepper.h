@@ -25,7 +25,7 @@ struct StepperOptions {
     double step = 1e-4;             ///< s; in statics, load factor
     Vector3d gravity{0, 0, -9.81};  ///< m/s^2
     double tolerance = 1e-9;        ///< m, largest coordinate of the minimiser's last correction
-    Index supports = 0;             ///< number of pins, clamps and symmetry planes in Shell::holds
+    Index supports = 0;             ///< number of pins, clamps and symmetry planes in Shell::support_sets
     /// Whether statics follow an equilibrium path with an unknown load factor, to last_load
     /// (EquilibriumPath); otherwise the load factor is the time.
     bool arc_length = false;
@@ -66,7 +66,7 @@ class Stepper {
     virtual StepResult solve(int max_iterations) = 0;
     /// Whether a change of the shell changes the end of the open step.
     virtual bool solves_again() const = 0;
-    /// Must be called when the shell has other vertices, triangles, hinges or crack faces (lips). New and
+    /// Must be called when the shell has other vertices, triangles, hinges or crack faces. New and
     /// moved vertices are placed where their parents are.
     virtual void topology_changed(const ShellChange& change) = 0;
     /// Sets the forces, N, [3, V], that act from the next step on: see ShellEnergies::give().
@@ -75,7 +75,7 @@ class Stepper {
     virtual void finish() = 0;
 
     /// Share of the cohesive force that still acts on an edge: see ShellChange::opening.
-    virtual double held(Index /*edge*/) const { return 0; }
+    virtual double cohesive_share(Index /*edge*/) const { return 0; }
 
     /// The triangle whose vibration limits the substeps of the last step; none where contact does, and where
     /// there are no substeps.
@@ -83,7 +83,7 @@ class Stepper {
 
     Scheme scheme() const { return options.scheme; }
     /// Energy that the time scheme dissipates in the open step, which must have been solved, J.
-    virtual double taken_by_scheme() = 0;
+    virtual double dissipated_by_scheme() = 0;
     /// Factor of all loads in the open step, or in the last one: 1, except in statics.
     virtual double load() const { return 1; }
     /// Whether an equilibrium path has arrived at StepperOptions::last_load.
@@ -92,15 +92,15 @@ class Stepper {
     const EnergyBalance& balance() const { return ledger.balance(); }  ///< sum over the finished steps
     /// Curvatures and strains of ShellEnergies at `position`.
     std::optional<Eigen::Matrix3Xd> coupled_curvatures() const { return forces.coupled_curvatures(position); }
-    std::optional<Eigen::Matrix3Xd> kept_curvatures() const { return forces.kept_curvatures(position); }
+    std::optional<Eigen::Matrix3Xd> plastic_curvatures() const { return forces.plastic_curvatures(position); }
     Eigen::Matrix3Xd face_curvatures() const { return forces.face_curvatures(position); }
     Eigen::Matrix3Xd face_strains() const { return forces.face_strains(position); }
     // Variants for some faces, [3, faces].
     std::optional<Eigen::Matrix3Xd> coupled_curvatures(std::span<const Index> faces) const {
         return forces.coupled_curvatures(position, faces);
     }
-    std::optional<Eigen::Matrix3Xd> kept_curvatures(std::span<const Index> faces) const {
-        return forces.kept_curvatures(position, faces);
+    std::optional<Eigen::Matrix3Xd> plastic_curvatures(std::span<const Index> faces) const {
+        return forces.plastic_curvatures(position, faces);
     }
     Eigen::Matrix3Xd face_strains(std::span<const Index> faces) const {
         return forces.face_strains(position, faces);
@@ -109,13 +109,14 @@ class Stepper {
     const CoupledBending* coupled_bending() const { return forces.coupled_bending(); }
     /// Derivative of the elastic energy at `position`, N, [3, V].
     Positions elastic_gradient();
-    virtual Positions lip_forces() const = 0;  ///< N, [3, V], contact forces of crack faces at `position`
+    virtual Positions crack_face_forces()
+        const = 0;  ///< N, [3, V], contact forces of crack faces at `position`
     /// Reactions of the supports, then of the obstacles, at `position` in the open step. A support's force on
     /// a vertex is mass times acceleration less all other forces, in the directions in which it holds the
     /// vertex; clamps and symmetry planes exert the forces of their mirror hinges, too.
     virtual std::vector<Reaction> reactions() const = 0;
-    virtual Touch touch() const = 0;         ///< contact with obstacles and bodies
-    virtual double lip_overlap() const = 0;  ///< m, largest overlap of crack faces
+    virtual Touch touch() const = 0;                ///< contact with obstacles and bodies
+    virtual double crack_face_overlap() const = 0;  ///< m, largest overlap of crack faces
     /// The bodies at the end of the last finished step.
     virtual const std::vector<RigidBody>& bodies() const = 0;
     /// Whether each surface pair is exempt at the end of the last finished step: see surface_pairs().

@@ -70,8 +70,8 @@ BendingShift::BendingShift(const Shell& shell, const VertexFaces& around, const 
                            TipShift moving)
     : shell(shell), bending(bending), shift(std::move(moving)) {
     // The curvature of a face depends on the folds of its patches, and these on the triangles across.
-    for (const Index face : faces_near(shell, around, shift.vertices, 3)) see(face);
-    for (const Seen& face : seen) folds.insert(folds.end(), face.folds.begin(), face.folds.end());
+    for (const Index face : faces_near(shell, around, shift.vertices, 3)) add_if_affected(face);
+    for (const AffectedFace& face : affected) folds.insert(folds.end(), face.folds.begin(), face.folds.end());
     make_unique(folds);
     std::ranges::copy_if(folds, std::back_inserter(moved), [this](Index fold) { return moves(fold); });
     for (int axis = 0; axis < 2; ++axis) differentiate(axis);
@@ -82,11 +82,11 @@ bool BendingShift::moves(Index fold) const {
     return std::ranges::any_of(vertices, [this](Index vertex) { return shift.find(vertex) >= 0; });
 }
 
-void BendingShift::see(Index face) {
+void BendingShift::add_if_affected(Index face) {
     std::vector<Index> of_face;
     for (const auto& [fold, per_angle] : bending.face_curvature().terms(face)) of_face.push_back(fold);
     if (std::ranges::any_of(of_face, [this](Index fold) { return moves(fold); }))
-        seen.push_back({face, std::move(of_face), {}});
+        affected.push_back({face, std::move(of_face), {}});
 }
 
 std::vector<std::optional<Eigen::MatrixXd>> BendingShift::advanced_stiffness(ShellPart part, int axis,
@@ -95,7 +95,7 @@ std::vector<std::optional<Eigen::MatrixXd>> BendingShift::advanced_stiffness(She
     const Folds of_part(part.shell, part.mirrors);
     const FaceCurvature curvature(part.shell, of_part);
     std::vector<std::optional<Eigen::MatrixXd>> of_faces;
-    for (const Seen& face : seen) {
+    for (const AffectedFace& face : affected) {
         const auto at = std::ranges::lower_bound(part.faces, face.face) - part.faces.begin();
         of_faces.push_back(stiffness_of(
             curvature.terms(static_cast<std::size_t>(at)), [&](Index fold) { return part.folds[fold]; },
@@ -112,8 +112,8 @@ void BendingShift::differentiate(int axis) {
     length *= difference;
     const auto ahead = advanced_stiffness(part, axis, length),
                behind = advanced_stiffness(part, axis, -length);
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-        auto& [face, of_face, stiffening] = seen[i];
+    for (std::size_t i = 0; i < affected.size(); ++i) {
+        auto& [face, of_face, stiffening] = affected[i];
         const auto here = stiffness_of(bending.face_curvature().terms(face), std::identity(),
                                        bending.rigidity(face), of_face);
         // Where the next triangles are about to join a patch, the difference is taken on the side where they
@@ -127,7 +127,7 @@ Vector2d BendingShift::force(const Positions& x, const Matrix3d& turn) const {
     const VectorXd changes = changes_of(bending, x, folds);
     VectorXd moments = VectorXd::Zero(changes.size());
     Vector2d sum = Vector2d::Zero();
-    for (const auto& [face, of_face, stiffening] : seen) {
+    for (const auto& [face, of_face, stiffening] : affected) {
         const Vector3d moment = bending.rigidity(face) * bending.face_curvature().of(face, changes);
         for (const auto& [fold, per_angle] : bending.face_curvature().terms(face))
             moments[fold] += per_angle.dot(moment);

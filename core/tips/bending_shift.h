@@ -24,18 +24,18 @@ class BendingShift {
     /// left. x: [3, V] m; turn: rotation from rest to x at the tip.
     Vector2d force(const Positions& x, const Matrix3d& turn) const;
 
-    std::size_t faces() const { return seen.size(); }  ///< number of faces that depend on moved vertices
+    std::size_t faces() const { return affected.size(); }  ///< number of faces that depend on moved vertices
 
   private:
     /// A face whose curvature depends on a moved vertex.
-    struct Seen {
+    struct AffectedFace {
         Index face;
         std::vector<Index> folds;  ///< folds on which its curvature depends
         /// Derivative of its contribution to S by the two directions, N, [folds, folds].
         std::array<Eigen::MatrixXd, 2> stiffening;
     };
-    bool moves(Index fold) const;  ///< whether a vertex of the fold moves
-    void see(Index face);          ///< adds the face if one of its folds moves
+    bool moves(Index fold) const;      ///< whether a vertex of the fold moves
+    void add_if_affected(Index face);  ///< adds the face if one of its folds moves
     /// Contribution of each seen face to S once the tip has advanced by `length` m along an axis; nothing
     /// where the face then depends on other folds.
     std::vector<std::optional<Eigen::MatrixXd>> advanced_stiffness(ShellPart part, int axis,
@@ -47,7 +47,7 @@ class BendingShift {
     const Shell& shell;
     const CoupledBending& bending;
     TipShift shift;
-    std::vector<Seen> seen;
+    std::vector<AffectedFace> affected;
     std::vector<Index> folds;  ///< folds of all seen faces
     std::vector<Index> moved;  ///< folds with a vertex that moves
 };

@@ -28,8 +28,9 @@ TipForce::TipForce(const Shell& shell, const VertexFaces& around, const TipEnerg
         throw std::invalid_argument(
             "the force on a crack tip is implemented for membranes of constant strain only");
     for (int side = 0; side < 2; ++side) {
-        lips[side] = {tip.vertex};
-        lips[side].insert(lips[side].end(), tip.lips[side].begin(), tip.lips[side].end());
+        crack_faces[side] = {tip.vertex};
+        crack_faces[side].insert(crack_faces[side].end(), tip.crack_faces[side].begin(),
+                                 tip.crack_faces[side].end());
     }
     if (energies.bending != nullptr) bending.emplace(shell, around, *energies.bending, shift);
 }
@@ -41,7 +42,7 @@ ConfigurationalForce TipForce::at(const Positions& x, const TipLoads& loads) con
     force.membrane = of_membrane(x, turn);
     if (bending) force.bending = bending->force(x, turn);
     if (loads.spread.cols() > 0) force.loads += of_spread(x, loads.spread, turn);
-    if (loads.on_lips.cols() > 0) force.loads += of_lips(x, loads.on_lips, turn);
+    if (loads.on_crack_faces.cols() > 0) force.loads += of_crack_faces(x, loads.on_crack_faces, turn);
     return force;
 }
 
@@ -80,25 +81,26 @@ Vector2d TipForce::of_spread(const Positions& x, const Positions& forces, const 
     return sum;
 }
 
-// Work of a traction on the crack faces (lips), which is constant along the first side and follows the
+// Work of a traction on the crack faces, which is constant along the first side and follows the
 // vertices' forces beyond it. The force on the tip does not show the traction, since the two faces' parts
 // cancel.
-Vector2d TipForce::of_lips(const Positions& x, const Positions& forces, const Matrix3d& turn) const {
+Vector2d TipForce::of_crack_faces(const Positions& x, const Positions& forces, const Matrix3d& turn) const {
     Vector2d sum = Vector2d::Zero();
-    for (const std::vector<Index>& lip : lips)
-        for (std::size_t i = 0; i + 1 < lip.size(); ++i) {
-            const Index moved = shift.find(lip[i]);
+    for (const std::vector<Index>& crack_face : crack_faces)
+        for (std::size_t i = 0; i + 1 < crack_face.size(); ++i) {
+            const Index moved = shift.find(crack_face[i]);
             if (moved < 0) break;
-            const Index ahead = lip[i == 0 ? 0 : i - 1], behind = lip[i + 1];
+            const Index ahead = crack_face[i == 0 ? 0 : i - 1], behind = crack_face[i + 1];
             const Vector3d rest = shell.rest.col(ahead) - shell.rest.col(behind);
             const Vector3d stretched = Vector3d(x.col(ahead) - x.col(behind)) - turn * rest;
-            Vector3d force = forces.col(lip[i]);
+            Vector3d force = forces.col(crack_face[i]);
             if (i == 0) {
                 const double first = rest.norm();
-                const double both = lip.size() < 3
-                                        ? 2 * first
-                                        : first + (shell.rest.col(lip[1]) - shell.rest.col(lip[2])).norm();
-                force = first / both * forces.col(lip[1]);
+                const double both =
+                    crack_face.size() < 3
+                        ? 2 * first
+                        : first + (shell.rest.col(crack_face[1]) - shell.rest.col(crack_face[2])).norm();
+                force = first / both * forces.col(crack_face[1]);
             }
             sum -= force.dot(stretched) / rest.squaredNorm() * shift.by[moved].transpose() * rest;
         }

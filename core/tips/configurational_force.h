@@ -37,8 +37,9 @@ struct TipEnergies {
 
 /// Forces on the vertices other than elastic ones, N, [3, V]; with 0 columns there are none.
 struct TipLoads {
-    Positions spread = Positions(3, 0);   ///< on faces: pressure, weight, wind; less mass times acceleration
-    Positions on_lips = Positions(3, 0);  ///< on crack faces: contact between them, and cohesive forces
+    Positions spread = Positions(3, 0);  ///< on faces: pressure, weight, wind; less mass times acceleration
+    Positions on_crack_faces =
+        Positions(3, 0);  ///< on crack faces: contact between them, and cohesive forces
 };
 
 /// Energy release rates at a tip. Terms that depend on the rest shape alone are computed once: the object
@@ -56,11 +57,11 @@ class TipForce {
   private:
     Vector2d of_membrane(const Positions& x, const Matrix3d& turn) const;
     Vector2d of_spread(const Positions& x, const Positions& forces, const Matrix3d& turn) const;
-    Vector2d of_lips(const Positions& x, const Positions& forces, const Matrix3d& turn) const;
+    Vector2d of_crack_faces(const Positions& x, const Positions& forces, const Matrix3d& turn) const;
 
     const Shell& shell;
     const VertexFaces& around;
-    std::array<std::vector<Index>, 2> lips;  ///< vertices of both crack faces, from the tip itself on
+    std::array<std::vector<Index>, 2> crack_faces;  ///< vertices of both crack faces, from the tip itself on
     TipShift shift;
     std::vector<Index> faces;  ///< faces with a vertex that moves
     int rings;

@@ -51,17 +51,17 @@ std::vector<std::vector<Index>> rings_around(const Shell& shell, const VertexFac
 }
 
 /// The vertices along the boundary from `first` on, away from `tip`, at most `most`.
-std::vector<Index> lip_from(const Shell& shell, const VertexFaces& around, Index tip, Index first,
-                            std::size_t most) {
-    std::vector<Index> lip{first};
-    for (Index before = tip; lip.size() < most;) {
-        std::vector<Index> next = boundary_neighbours(shell, around, lip.back());
+std::vector<Index> crack_face_from(const Shell& shell, const VertexFaces& around, Index tip, Index first,
+                                   std::size_t most) {
+    std::vector<Index> crack_face{first};
+    for (Index before = tip; crack_face.size() < most;) {
+        std::vector<Index> next = boundary_neighbours(shell, around, crack_face.back());
         std::erase(next, before);
         if (next.size() != 1 || next.front() == tip) break;
-        before = lip.back();
-        lip.push_back(next.front());
+        before = crack_face.back();
+        crack_face.push_back(next.front());
     }
-    return lip;
+    return crack_face;
 }
 
 }  // namespace
@@ -84,19 +84,22 @@ Eigen::Matrix<double, 3, 2> CrackTip::axes() const {
 
 CrackTip crack_tip(const Shell& shell, const VertexFaces& around, Index vertex, std::span<const char> foreign,
                    int most) {
-    const std::vector<Index> lips = boundary_neighbours(shell, around, vertex);
-    if (lips.size() != 2)
+    const std::vector<Index> crack_faces = boundary_neighbours(shell, around, vertex);
+    if (crack_faces.size() != 2)
         throw std::invalid_argument("vertex " + std::to_string(vertex) + " has " +
-                                    std::to_string(lips.size()) + " boundary edges: it is not a crack tip");
+                                    std::to_string(crack_faces.size()) +
+                                    " boundary edges: it is not a crack tip");
     CrackTip tip;
     tip.vertex = vertex;
     tip.normal = rest_normal(shell, around, vertex);
     Vector3d away = Vector3d::Zero();
-    for (const Index lip : lips) away += (shell.rest.col(vertex) - shell.rest.col(lip)).normalized();
+    for (const Index crack_face : crack_faces)
+        away += (shell.rest.col(vertex) - shell.rest.col(crack_face)).normalized();
     tip.direction = (away - tip.normal.dot(away) * tip.normal).normalized();
     tip.rings = rings_around(shell, around, vertex, foreign, most);
     for (int side = 0; side < 2; ++side)
-        tip.lips[side] = lip_from(shell, around, vertex, lips[side], tip.rings.size() + 1);
+        tip.crack_faces[side] =
+            crack_face_from(shell, around, vertex, crack_faces[side], tip.rings.size() + 1);
     return tip;
 }
 

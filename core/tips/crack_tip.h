@@ -28,12 +28,12 @@ struct CrackTip {
     Index vertex = 0;
     Vector3d direction = Vector3d::UnitX();  ///< unit vector in the tangent plane, away from the crack
     Vector3d normal = Vector3d::UnitZ();     ///< unit normal of the tangent plane
-    /// The vertices 0, 1, 2, ... edges away from the tip, also on both crack faces (lips): all that are
+    /// The vertices 0, 1, 2, ... edges away from the tip, also on both crack faces: all that are
     /// nearer to the tip than any foreign vertex, and ring 0 in any case.
     std::vector<std::vector<Index>> rings;
     /// The vertices along either crack face, from the nearest on: one more than there are rings, if the face
     /// is as long.
-    std::array<std::vector<Index>, 2> lips;
+    std::array<std::vector<Index>, 2> crack_faces;
 
     /// Axes of the tangent plane, one a column: along the direction, and to its left as seen against the
     /// normal.

@@ -80,12 +80,12 @@ class LineTracing {
                 const std::vector<char>& kept, const SharedEdges& shared)
         : mesh(mesh), marks(marks), shared(shared.is_shared) {
         found.of_edge.resize(mesh.number_of_edges());
-        found.together = shared.together;
+        found.coincident = shared.coincident;
         for (const Vertex v : mesh.vertices()) found.is_corner.push_back(is_corner(v, degrees, reach));
         for (const Face face : mesh.faces())
             if (kept[face])
                 for (const Vertex v : face_corners(mesh, face)) found.is_corner[v] = 1;
-        for (const std::vector<Vertex>& some : found.together)
+        for (const std::vector<Vertex>& some : found.coincident)
             if (std::ranges::any_of(some, [&](Vertex v) { return found.is_corner[v] != 0; }))
                 for (const Vertex v : some) found.is_corner[v] = 1;
     }

@@ -31,9 +31,9 @@ struct LineStretch {
 /// edges along which the mesh lies on itself without being joined, and edges of faces whose shape is kept.
 struct FeatureLines {
     std::vector<FeatureLine> lines;
-    std::vector<LineStretch> of_edge;           ///< [E]
-    std::vector<char> is_corner;                ///< [V] where lines end, branch or turn
-    std::vector<std::vector<Vertex>> together;  ///< coincident vertices of shared lines
+    std::vector<LineStretch> of_edge;             ///< [E]
+    std::vector<char> is_corner;                  ///< [V] where lines end, branch or turn
+    std::vector<std::vector<Vertex>> coincident;  ///< coincident vertices of shared lines
 };
 
 /// Returns the faces `near`, and those that are connected to them by faces with middles less than `reach` (m)

@@ -16,9 +16,9 @@
 #include "meshops/error.h"
 #include "meshops/mesh_measures.h"
 #include "meshops/property_border.h"
-#include "meshops/remesh/bare_copy.h"
-#include "meshops/remesh/carried_properties.h"
+#include "meshops/remesh/plain_copy.h"
 #include "meshops/remesh/remeshing.h"
+#include "meshops/remesh/transfer_properties.h"
 #include "meshops/self_intersections.h"
 
 namespace sherd {
@@ -166,8 +166,8 @@ class RemeshTrial {
     Mesh result() const {
         std::vector<Face> below;
         for (const Vertex v : remeshing.mesh().vertices()) below.push_back(remeshing.face_below(v));
-        Mesh mesh = bare_copy(remeshing.mesh());
-        carry_properties(surface, below, mesh);
+        Mesh mesh = plain_copy(remeshing.mesh());
+        transfer_properties(surface, below, mesh);
         return mesh;
     }
 

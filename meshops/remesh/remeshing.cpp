@@ -9,14 +9,14 @@
 #include <numbers>
 
 #include "meshops/mesh_measures.h"
-#include "meshops/remesh/bare_copy.h"
+#include "meshops/remesh/plain_copy.h"
 
 namespace sherd {
 
 using Eigen::Vector3d;
 
 Remeshing::Remeshing(const InputSurface& surface, const SizeField& sizes, const std::vector<double>& unsplit)
-    : surface(surface), sizes(sizes), work(bare_copy(surface.mesh)) {
+    : surface(surface), sizes(sizes), work(plain_copy(surface.mesh)) {
     site = work.add_property_map<Vertex, Site>("v:site").first;
     stretch = work.add_property_map<Edge, LineStretch>("e:stretch").first;
     whole = work.add_property_map<Edge, double>("e:whole", 0).first;
@@ -62,21 +62,21 @@ void Remeshing::fix_shared_lines() {
 }
 
 void Remeshing::update_sizes() {
-    for (const Vertex v : work.vertices()) settle(v, surface.nearest(site[v].face, position(work, v)));
+    for (const Vertex v : work.vertices()) place_at(v, surface.nearest(site[v].face, position(work, v)));
 }
 
 void Remeshing::improve(int rounds) {
     constexpr int smoothings = 2, mendings = 4;
-    constexpr double stir = 0.5;
+    constexpr double perturbation = 0.5;
     for (int round = 0; round < rounds; ++round) {
         split_long();
         collapse_short();
         flip_edges();
-        if (round < rounds / 2) move_vertices(stir);
+        if (round < rounds / 2) move_vertices(perturbation);
         for (int i = 0; i < smoothings; ++i) move_vertices();
     }
     for (int i = 0; i < mendings; ++i) {
-        mend_angles();
+        improve_angles();
         flip_edges();
         move_vertices();
     }
@@ -88,7 +88,7 @@ void Remeshing::split_long() {
     for (int sweep = 0; sweep < sweeps; ++sweep) {
         bool is_done = true;
         for (const Edge edge : edges_by_length(true)) {
-            const double most = longest * wanted(work.vertex(edge, 0), work.vertex(edge, 1));
+            const double most = longest * target_length(work.vertex(edge, 0), work.vertex(edge, 1));
             if (length(edge) <= std::max(most, whole[edge])) continue;
             split(edge);
             is_done = false;
@@ -122,7 +122,7 @@ void Remeshing::split(Edge edge) {
         set_line(edge, v, {b, was.line, way, begins ? was.at_end : was.at_begin});
     }
     const InputSurface::Site found = below_edge(a, b, near);
-    settle(v, found);
+    place_at(v, found);
     const Vector3d place = was.line == LineStretch::none ? found.place : near;
     const bool is_given = site[v].is_fixed;  // by a shared line
     work.point(v) = point_at(is_given || fits(v, place, 0) ? place : middle);
@@ -164,15 +164,16 @@ bool Remeshing::flip(Edge edge) {
     constexpr double bent = 0.7;  // cosine
     if (one.dot(other) <= bent * one.norm() * other.norm() || one.dot(old) <= 0 || other.dot(old) <= 0)
         return false;
-    if (!is_faithful({c, d, b}, {pc, pd, pb}) || !is_faithful({d, c, a}, {pd, pc, pa})) return false;
+    if (!approximates_surface({c, d, b}, {pc, pd, pb}) || !approximates_surface({d, c, a}, {pd, pc, pa}))
+        return false;
     CGAL::Euler::flip_edge(h, work);
     return true;
 }
 
 /// Moves vertices towards the mean of the centroids of the faces around them, weighted by area over squared
-/// target length. stir: random displacement, in target lengths, which breaks the order of a mesh that came as
-/// a grid.
-void Remeshing::move_vertices(double stir) {
+/// target length. perturbation: random displacement, in target lengths, which breaks the order of a mesh that
+/// came as a grid.
+void Remeshing::move_vertices(double perturbation) {
     constexpr double fine_angle = 32 * degree;  // down to which angles may decrease
     for (const Vertex v : work.vertices()) {
         if (site[v].is_fixed) continue;
@@ -193,7 +194,8 @@ void Remeshing::move_vertices(double stir) {
         if (!(weight > 0)) continue;
         const Vector3d here = position(work, v);
         Vector3d there = sum / weight;
-        for (int i = 0; i < 3 && stir > 0; ++i) there[i] += stir * site[v].size * (2 * random.uniform() - 1);
+        for (int i = 0; i < 3 && perturbation > 0; ++i)
+            there[i] += perturbation * site[v].size * (2 * random.uniform() - 1);
         move(v, there, least) || move(v, (here + there) / 2, least);
     }
 }
@@ -204,7 +206,7 @@ bool Remeshing::move(Vertex v, const Vector3d& to, double least_angle) {
     const InputSurface::Site found = surface.nearest(site[v].face, to, false);
     if (!fits(v, found.place, least_angle)) return false;
     work.point(v) = point_at(found.place);
-    settle(v, found);
+    place_at(v, found);
     return true;
 }
 
@@ -219,7 +221,7 @@ bool Remeshing::slide(Vertex v, double part, double least_angle) {
     work.point(v) = point_at(place);
     for (const LineEnd& end : ends)
         set_line(work.edge(work.halfedge(v, end.other)), v, {end.other, end.line, way, end.at_other});
-    settle(v, surface.nearest(site[v].face, place));
+    place_at(v, surface.nearest(site[v].face, place));
     return true;
 }
 
@@ -233,7 +235,8 @@ bool Remeshing::fits(Vertex v, const Vector3d& place, double least_angle) const 
         Triangle after = before;
         after[corner_number(corners, v)] = place;
         const Vector3d was = triangle_normal(before), is = triangle_normal(after);
-        if (is.dot(was) < 0 || sherd::smallest_angle(after) < least_angle || !is_faithful(corners, after))
+        if (is.dot(was) < 0 || sherd::smallest_angle(after) < least_angle ||
+            !approximates_surface(corners, after))
             return false;
     }
     return true;
@@ -281,7 +284,7 @@ double Remeshing::angle_at(Vertex v) const {
 
 /// Whether the normal of a triangle agrees with that of the surface below those of its corners that are on no
 /// line.
-bool Remeshing::is_faithful(const std::array<Vertex, 3>& corners, const Triangle& places) const {
+bool Remeshing::approximates_surface(const std::array<Vertex, 3>& corners, const Triangle& places) const {
     constexpr double away = 0.5;  // cosine
     const Vector3d normal = triangle_normal(places);
     const double area = normal.norm();
@@ -290,7 +293,7 @@ bool Remeshing::is_faithful(const std::array<Vertex, 3>& corners, const Triangle
            });
 }
 
-void Remeshing::settle(Vertex v, const InputSurface::Site& at) {
+void Remeshing::place_at(Vertex v, const InputSurface::Site& at) {
     site[v].face = at.face;
     site[v].size = sizes.at(at);
 }

@@ -57,7 +57,7 @@ class Remeshing {
     InputSurface::Site below_edge(Vertex a, Vertex b, const Eigen::Vector3d& near) const;
     void flip_edges();
     bool flip(Edge edge);
-    void move_vertices(double stir = 0);
+    void move_vertices(double perturbation = 0);
     bool move(Vertex v, const Eigen::Vector3d& to, double least_angle);
     bool slide(Vertex v, double part, double least_angle);
     bool fits(Vertex v, const Eigen::Vector3d& place, double least_angle) const;
@@ -66,18 +66,18 @@ class Remeshing {
     bool may_collapse(Halfedge h, double slack, double least_angle) const;
     bool keeps_lines(Halfedge h) const;
     void collapse(Halfedge h);
-    void mend_angles();
-    bool mend(Face face);
+    void improve_angles();
+    bool improve_face(Face face);
 
     std::vector<Edge> edges_by_length(bool longest_first) const;
     double length(Edge edge) const;
-    double wanted(Vertex a, Vertex b) const { return (site[a].size + site[b].size) / 2; }
+    double target_length(Vertex a, Vertex b) const { return (site[a].size + site[b].size) / 2; }
     bool is_line(Edge edge) const { return stretch[edge].line != LineStretch::none; }
     std::vector<LineEnd> line_ends(Vertex v) const;
     void set_line(Edge edge, Vertex v, const LineEnd& end);
     double angle_at(Vertex v) const;
-    bool is_faithful(const std::array<Vertex, 3>& corners, const Triangle& places) const;
-    void settle(Vertex v, const InputSurface::Site& at);
+    bool approximates_surface(const std::array<Vertex, 3>& corners, const Triangle& places) const;
+    void place_at(Vertex v, const InputSurface::Site& at);
 
     const InputSurface& surface;
     const SizeField& sizes;

@@ -16,7 +16,7 @@ void Remeshing::collapse_short() {
     for (const Edge edge : edges_by_length(false)) {
         if (work.is_removed(edge)) continue;
         const Halfedge h = work.halfedge(edge), g = work.opposite(h);
-        if (length(edge) >= shortest * wanted(work.source(h), work.target(h))) continue;
+        if (length(edge) >= shortest * target_length(work.source(h), work.target(h))) continue;
         if (may_collapse(h, slack, least_angle))
             collapse(h);
         else if (may_collapse(g, slack, least_angle))
@@ -33,7 +33,7 @@ bool Remeshing::may_collapse(Halfedge h, double slack, double least_angle) const
     const double least = std::min(least_angle, angle_at(gone));
     for (const Halfedge g : work.halfedges_around_target(work.halfedge(gone))) {
         const Vertex other = work.source(g);
-        if ((position(work, other) - place).norm() > slack * wanted(other, stays)) return false;
+        if ((position(work, other) - place).norm() > slack * target_length(other, stays)) return false;
         const Face face = work.face(g);
         if (face == Mesh::null_face()) continue;
         std::array<Vertex, 3> corners = face_corners(work, face);
@@ -46,7 +46,7 @@ bool Remeshing::may_collapse(Halfedge h, double slack, double least_angle) const
         const Vector3d was = triangle_normal(before), is = triangle_normal(after);
         constexpr double turned = 0.5;  // cosine
         if (is.dot(was) < turned * is.norm() * was.norm() || sherd::smallest_angle(after) < least ||
-            !is_faithful(corners, after))
+            !approximates_surface(corners, after))
             return false;
     }
     return true;
@@ -86,7 +86,7 @@ void Remeshing::collapse(Halfedge h) {
     for (const LineEnd& end : ends) set_line(work.edge(work.halfedge(left, end.other)), left, end);
 }
 
-void Remeshing::mend_angles() {
+void Remeshing::improve_angles() {
     constexpr double small = 25 * degree;
     std::vector<std::pair<double, Face>> sorted;
     for (const Face face : work.faces())
@@ -94,12 +94,13 @@ void Remeshing::mend_angles() {
             sorted.emplace_back(angle, face);
     std::ranges::sort(sorted);
     for (const auto& [angle, face] : sorted)
-        if (!work.is_removed(face) && sherd::smallest_angle(face_points(work, face)) < small) mend(face);
+        if (!work.is_removed(face) && sherd::smallest_angle(face_points(work, face)) < small)
+            improve_face(face);
 }
 
 /// Flips the longest edge of a face, collapses its shortest one, or moves a corner, if that makes its angles
 /// larger. Returns whether the mesh has changed.
-bool Remeshing::mend(Face face) {
+bool Remeshing::improve_face(Face face) {
     const auto around = work.halfedges_around_face(work.halfedge(face));
     std::vector<Halfedge> sides(around.begin(), around.end());
     std::ranges::sort(sides, {}, [&](Halfedge h) { return length(work.edge(h)); });

@@ -69,7 +69,7 @@ SharedEdges shared_edges(const Mesh& mesh) {
     std::vector<std::vector<Vertex>> at(mesh.number_of_vertices());
     for (const Vertex v : mesh.vertices())
         if (is_end[v]) at[place[v]].push_back(v);
-    std::ranges::copy_if(at, std::back_inserter(found.together),
+    std::ranges::copy_if(at, std::back_inserter(found.coincident),
                          [](const auto& some) { return some.size() > 1; });
     return found;
 }

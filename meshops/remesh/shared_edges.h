@@ -12,7 +12,7 @@ namespace sherd {
 struct SharedEdges {
     std::vector<char> is_shared;  ///< [E] whether another edge has the same two ends
     /// Coincident vertices of such edges, ascending, at least two in a list.
-    std::vector<std::vector<Vertex>> together;
+    std::vector<std::vector<Vertex>> coincident;
 };
 
 /// Finds the shared edges of a mesh, except those whose faces lie on each other, too, as in a sheet that

@@ -57,9 +57,9 @@ void add_line_curvature(const InputSurface& surface, double reach, std::vector<d
 
 /// Reduces lengths where they increase too fast along the edges of a mesh, and makes them equal at coincident
 /// vertices of shared lines.
-void grade(const Mesh& mesh, const std::vector<std::vector<Vertex>>& together, std::vector<double>& sizes) {
+void grade(const Mesh& mesh, const std::vector<std::vector<Vertex>>& coincident, std::vector<double>& sizes) {
     std::vector<const std::vector<Vertex>*> others(sizes.size(), nullptr);
-    for (const std::vector<Vertex>& some : together)
+    for (const std::vector<Vertex>& some : coincident)
         for (const Vertex v : some) others[v] = &some;
     using Reached = std::pair<double, Vertex>;
     std::priority_queue<Reached, std::vector<Reached>, std::greater<>> waiting;
@@ -89,7 +89,7 @@ std::vector<double> sizes_by_curvature(const InputSurface& surface, double edge_
         const double chord = size > 0 ? std::sqrt(8 * rise * edge_length / size) : edge_length;
         size = std::clamp(chord, smallest * edge_length, edge_length);
     }
-    grade(surface.mesh, surface.lines.together, sizes);
+    grade(surface.mesh, surface.lines.coincident, sizes);
     return sizes;
 }
 

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads the recording of a random impact, and checks it frame by frame with blow_judge.py."""
+"""Reads the recording of a random impact, and checks it frame by frame with blow_check.py."""
 import collections
 
 import h5py
 import numpy
 
-import blow_judge
+import blow_check
 
 LOOKS = 8  # times in a frame at which places of points are evaluated
 FELT = 0.02  # change of velocity over the impact's speed, above which an impact has an effect
@@ -58,22 +58,22 @@ class Seen:
     def body(self, name, solid, k):
         corner, faces = solid
         middle = corner.mean(axis=0)
-        corner = middle + blow_judge.SHRUNK * (corner - middle)
+        corner = middle + blow_check.SHRUNK * (corner - middle)
         if name in self.blow.turns:
-            motion = blow_judge.KeyedMotion(corner, self.blow.turns[name], self.times[k], self.times[k + 1])
+            motion = blow_check.KeyedMotion(corner, self.blow.turns[name], self.times[k], self.times[k + 1])
         else:
             first, begin, end = [self.poses[i][self.names.index(name)] for i in (0, k, k + 1)]
             turned = [pose[:, :3] @ first[:, :3].T for pose in (begin, end)]
             poses = [(matrix, pose[:, 3] - matrix @ first[:, 3]) for matrix, pose in zip(turned, (begin, end))]
-            motion = blow_judge.BodyMotion(corner, *poses)
-        return blow_judge.Surface(name, motion, faces, False)
+            motion = blow_check.BodyMotion(corner, *poses)
+        return blow_check.Surface(name, motion, faces, False)
 
     def surfaces(self, k):
         """Returns all sheets and solids with their motions between the frames k and k + 1."""
         found = []
         for name, used, faces in zip(self.sheets, self.vertices, self.faces):
-            motion = blow_judge.SheetMotion(self.positions[k][used], self.positions[k + 1][used])
-            found.append(blow_judge.Surface(name, motion, faces, True))
+            motion = blow_check.SheetMotion(self.positions[k][used], self.positions[k + 1][used])
+            found.append(blow_check.Surface(name, motion, faces, True))
         return found + [self.body(name, solid, k) for name, solid in self.blow.solids.items()]
 
     def look(self, k):
@@ -87,18 +87,18 @@ class Seen:
 
     def look_at_pair(self, k, one, other):
         where = f"frame {k + 1}: {one.name} and {other.name}"
-        count = blow_judge.standing_crossings(one, other, 1)
+        count = blow_check.standing_crossings(one, other, 1)
         if count:
             self.passed.append(f"{where}: {count} edges stand in faces")
         if not other.is_sheet:
-            within = blow_judge.solid_angles(one.motion.at(1), other.motion.at(1), other.faces) / (4 * numpy.pi)
+            within = blow_check.solid_angles(one.motion.at(1), other.motion.at(1), other.faces) / (4 * numpy.pi)
             if (numpy.abs(within) > INSIDE).any():
                 self.passed.append(f"{where}: {(numpy.abs(within) > INSIDE).sum()} vertices are in the solid")
         if self.blow.border in ("closed", "large") and one is not other:
             return  # look_at_sides() decides
-        found = blow_judge.crossings_of(one, other)
+        found = blow_check.crossings_of(one, other)
         if found:
-            moved = blow_judge.largest_motion(one, other)
+            moved = blow_check.largest_motion(one, other)
             self.crossed.append(f"{where}: {len(found)} crossings")
             deep = [crossing.depth for crossing in found if crossing.depth > moved]
             if deep:
@@ -108,7 +108,7 @@ class Seen:
     def look_at_sides(self, k, moving):
         target, striker = next(s for s in moving if s.name == self.blow.struck), self.striker(moving)
         if self.sides is None:
-            self.sides = blow_judge.Sides(self.blow.border, target, self.points(striker, 0))
+            self.sides = blow_check.Sides(self.blow.border, target, self.points(striker, 0))
         known = numpy.ones(len(self.sides.points), bool)
         known[:-1] = striker.motion.is_known
         ways = [self.points(striker, time) for time in numpy.linspace(0, 1, LOOKS + 1)[1:]]

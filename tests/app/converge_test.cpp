@@ -9,7 +9,7 @@
 #include "app/converge/observed_order.h"
 #include "app/converge/run_results.h"
 #include "tests/support/built_text.h"
-#include "tests/support/thrown_by.h"
+#include "tests/support/message_thrown_by.h"
 
 namespace sherd::test {
 namespace {
@@ -88,10 +88,11 @@ TEST(RunResults, OfAGaugeOfStressIsItsComponentsAndThePrincipalOneInPascal) {
 TEST(RunResults, StepsAndMeshesThatCannotBeCoarserSaySo) {
     const Scene scene = built_from(strip).scene;
     EXPECT_EQ(with_steps(scene, 2).simulation.stepper.step, 0.5);
-    EXPECT_NE(thrown_by([&] { with_steps(scene, 8); }).find("longer than the run"), std::string::npos);
+    EXPECT_NE(message_thrown_by([&] { with_steps(scene, 8); }).find("longer than the run"),
+              std::string::npos);
     Scene from_file = scene;
     from_file.sheets[0].mesh = MeshFile{.path = "strip.obj", .remesh = {}};
-    EXPECT_NE(thrown_by([&] { with_edges(from_file, 2); }).find("remesh"), std::string::npos);
+    EXPECT_NE(message_thrown_by([&] { with_edges(from_file, 2); }).find("remesh"), std::string::npos);
 }
 
 }  // namespace

@@ -35,13 +35,13 @@ TEST(CrackedFields, PulledSheetBalancesAndIsPulledFarAway) {
     }
 }
 
-TEST(CrackedFields, PulledSheetHasFreeLipsAndItsFactors) {
+TEST(CrackedFields, PulledSheetHasFreeCrackFacesAndItsFactors) {
     const double angle = 0.5;
     const PulledSheet sheet(half_crack, angle);
     const Vector2d along(std::cos(angle), std::sin(angle)), across(-along.y(), along.x());
     for (const double side : {-1.0, 1.0}) {
-        const Vector2d lip = 0.3 * along + side * tiny * across;
-        EXPECT_LT((sheet.stress(lip) * across).norm(), 1e-4);
+        const Vector2d crack_face = 0.3 * along + side * tiny * across;
+        EXPECT_LT((sheet.stress(crack_face) * across).norm(), 1e-4);
     }
     const Vector2d ahead = sheet.stress((half_crack + tiny) * along) * across;
     const double root = std::sqrt(2 * std::numbers::pi * tiny);
@@ -59,13 +59,13 @@ TEST(CrackedFields, BentPlateBalancesAndIsBentFarAway) {
 }
 
 // Crack faces bear no moment and no force: q_y + d m_xy / dx = 0.
-TEST(CrackedFields, BentPlateHasFreeLipsAndItsFactor) {
+TEST(CrackedFields, BentPlateHasFreeCrackFacesAndItsFactor) {
     const CrackedPlate plate(half_crack, 0.3);
-    const Vector2d lip(0.3, tiny), h(apart, 0);
-    EXPECT_NEAR(plate.moments(lip)(1, 1), 0, 1e-4);
-    EXPECT_NEAR(
-        plate.shear(lip).y() + (plate.moments(lip + h)(0, 1) - plate.moments(lip - h)(0, 1)) / (2 * apart), 0,
-        1e-4);
+    const Vector2d crack_face(0.3, tiny), h(apart, 0);
+    EXPECT_NEAR(plate.moments(crack_face)(1, 1), 0, 1e-4);
+    EXPECT_NEAR(plate.shear(crack_face).y() +
+                    (plate.moments(crack_face + h)(0, 1) - plate.moments(crack_face - h)(0, 1)) / (2 * apart),
+                0, 1e-4);
     const double ahead = plate.moments({half_crack + tiny, 0})(1, 1);
     EXPECT_NEAR(std::sqrt(2 * tiny) * ahead, std::sqrt(half_crack), 1e-3);
 }

@@ -89,7 +89,7 @@ TEST(Info, TellsTheEnergiesOfTheLastStepAndTheExtremesOfAll) {
 TEST(Info, HasNoBalanceOfARecordingOfBeforeThereWasOne) {
     const TemporaryDirectory folder;
     record(synthetic_run(), folder.path / "run.h5");
-    forget_balance(folder.path / "run.h5");
+    remove_balance(folder.path / "run.h5");
     const RunInfo read = read_run_info(folder.path / "run.h5");
     EXPECT_TRUE(Json::parse(run_info_json(read))["balance"].is_null());
     const std::string text = run_info_text(read);

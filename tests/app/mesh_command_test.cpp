@@ -17,7 +17,7 @@
 namespace sherd::test {
 namespace {
 
-const std::string disc = R"({ generate = "disc", radius = 0.1, edge_length = 0.03 })";
+const std::string disc_scene = R"({ generate = "disc", radius = 0.1, edge_length = 0.03 })";
 const std::string turned = "translate = [1, 2, 3], rotate = { axis = [1, 0, 0], degrees = 30 }";
 
 std::string sheet_table(const std::string& name, const std::string& mesh, const std::string& place = turned) {
@@ -55,12 +55,12 @@ class MeshCommand : public testing::Test {
 
 TEST_F(MeshCommand, WritesTheMeshOfTheSceneToTheLastBit) {
     for (const std::string file : {"a.obj", "a.ply", "a.off"}) {
-        const ProgramResult result = mesh(sheet_table("plate", disc), {"-o", file});
+        const ProgramResult result = mesh(sheet_table("plate", disc_scene), {"-o", file});
         ASSERT_EQ(result.exit_code, 0) << result.err;
         EXPECT_EQ(result.out, file + "\n");
         expect_same(read(file), made(false));
     }
-    ASSERT_EQ(mesh(sheet_table("plate", disc), {"-o", "a.stl"}).exit_code, 0);
+    ASSERT_EQ(mesh(sheet_table("plate", disc_scene), {"-o", "a.stl"}).exit_code, 0);
     EXPECT_EQ(read("a.stl").number_of_vertices(), made(false).number_of_vertices());
     // Conversely, the scene with the file in place of the generator must have the same mesh.
     const Mesh generated = made(true);
@@ -69,7 +69,7 @@ TEST_F(MeshCommand, WritesTheMeshOfTheSceneToTheLastBit) {
 }
 
 TEST_F(MeshCommand, WritesThemPlacedWhereThatIsAskedFor) {
-    ASSERT_EQ(mesh(sheet_table("plate", disc), {"-o", "a.ply", "--placed"}).exit_code, 0);
+    ASSERT_EQ(mesh(sheet_table("plate", disc_scene), {"-o", "a.ply", "--placed"}).exit_code, 0);
     expect_same(read("a.ply"), made(true), 1e-15);
 }
 
@@ -100,7 +100,7 @@ TEST_F(MeshCommand, JoinsWhatIsSoNearInMetres) {
 }
 
 TEST_F(MeshCommand, ReadsScenesWithTheLineEndsOfOtherSystems) {
-    std::string scene = std::string("\xEF\xBB\xBF") + "duration = 1\n" + sheet_table("plate", disc);
+    std::string scene = std::string("\xEF\xBB\xBF") + "duration = 1\n" + sheet_table("plate", disc_scene);
     std::ranges::replace(scene, '\n', '\r');
     directory.write("scene.toml", scene);
     EXPECT_EQ(run_sherd({"mesh", "scene.toml", "-o", "a.obj"}, directory.path).exit_code, 0);
@@ -109,7 +109,7 @@ TEST_F(MeshCommand, ReadsScenesWithTheLineEndsOfOtherSystems) {
 TEST_F(MeshCommand, SheetsAreObjectsOfOneObjAndFilesOfOtherFormats) {
     directory.write("painted.obj",
                     "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\ng left\nf 1/1 2/2 3/3\n");
-    const std::string both = sheet_table("old", "\"painted.obj\"") + sheet_table("new", disc);
+    const std::string both = sheet_table("old", "\"painted.obj\"") + sheet_table("new", disc_scene);
     ASSERT_EQ(mesh(both, {"-o", "all.obj"}).exit_code, 0);
     const Mesh all = read("all.obj");
     EXPECT_EQ(all.number_of_faces(), 1 + made(false, 1).number_of_faces());
@@ -125,13 +125,13 @@ TEST_F(MeshCommand, SheetsAreObjectsOfOneObjAndFilesOfOtherFormats) {
     EXPECT_EQ(files.out, "all-old.ply\nall-new.ply\n") << files.err;
     expect_same(read("all-new.ply"), made(false, 1));
     ASSERT_EQ(mesh(both, {"-o", "one.obj", "--sheet", "old"}).exit_code, 0);
-    const std::string odd = sheet_table("\"a/b\"", disc) + sheet_table("\"a b\"", disc);
+    const std::string odd = sheet_table("\"a/b\"", disc_scene) + sheet_table("\"a b\"", disc_scene);
     EXPECT_EQ(mesh(odd, {"-o", "odd.ply"}).out, "odd-a_b.ply\nodd-a_b_2.ply\n");
     EXPECT_EQ(group_names(read("one.obj")), (std::vector<std::string>{"left"}));
 }
 
 TEST_F(MeshCommand, OverridesAndVariantsAreThoseOfTheScene) {
-    const std::string variants = sheet_table("plate", disc) +
+    const std::string variants = sheet_table("plate", disc_scene) +
                                  "[[variant]]\nname = \"coarse\"\nsheet.plate.mesh.edge_length = 0.05\n"
                                  "[[variant]]\nname = \"fine\"\nsheet.plate.mesh.edge_length = 0.02\n";
     // Inline tables are replaced as a whole.
@@ -157,13 +157,13 @@ TEST_F(MeshCommand, RefusesWhatWouldBeLost) {
         EXPECT_EQ(directory.contents(), before);
     };
     directory.write("there.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    refused(sheet_table("a", disc), {"-o", "there.obj"}, "'there.obj' exists");
+    refused(sheet_table("a", disc_scene), {"-o", "there.obj"}, "'there.obj' exists");
     refused(sheet_table("a", "\"there.obj\""), {"-o", "there.obj", "--force"}, "is read by this command");
-    refused(sheet_table("a", disc), {"-o", "a.gltf"}, "none of .obj, .ply, .off and .stl");
-    refused(sheet_table("plate", disc), {"-o", "a.obj", "--sheet", "palte"}, "did you mean 'plate'?");
+    refused(sheet_table("a", disc_scene), {"-o", "a.gltf"}, "none of .obj, .ply, .off and .stl");
+    refused(sheet_table("plate", disc_scene), {"-o", "a.obj", "--sheet", "palte"}, "did you mean 'plate'?");
     refused(sheet_table("a", "{ generate = \"disc\", radius = 0.1, edge_length = 3 }"), {"-o", "a.obj"},
             "edge_length");
-    EXPECT_EQ(mesh(sheet_table("a", disc), {"-o", "there.obj", "--force"}).exit_code, 0);
+    EXPECT_EQ(mesh(sheet_table("a", disc_scene), {"-o", "there.obj", "--force"}).exit_code, 0);
 }
 
 }  // namespace

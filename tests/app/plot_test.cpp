@@ -111,7 +111,7 @@ TEST(Plot, DrawsChartsWithUnits) {
 TEST(Plot, HasNoChartOfABalanceThatWasNotRecorded) {
     const TemporaryDirectory folder;
     record(synthetic_run(), folder.path / "run.h5");
-    forget_balance(folder.path / "run.h5");
+    remove_balance(folder.path / "run.h5");
     const std::string svg = plot_svg(Recording(folder.path / "run.h5"));
     EXPECT_EQ(count(svg, "<g>"), 8);
     EXPECT_EQ(count(svg, "Work and losses"), 0);

@@ -196,7 +196,7 @@ TEST_P(WholeScene, KeepsEveryLawInEveryFrame) {
     expect_balance(steps, is_explicit);
     const double thickness = scene.sheets.front().material.thickness;
     for (const StepReport& step : steps) {
-        EXPECT_LT(step.lip_overlap, 0.1 * thickness) << "step " << step.step;
+        EXPECT_LT(step.crack_face_overlap, 0.1 * thickness) << "step " << step.step;
         EXPECT_LT(step.obstacle_overlap, 0.5 * thickness)
             << "a vertex is in an obstacle at step " << step.step;
     }

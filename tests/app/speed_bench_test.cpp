@@ -127,7 +127,7 @@ TEST(MachineMemory, PeakIsOfWhatCameSinceItWasForgotten) {
     const auto hold = [] { return std::vector<char>(static_cast<std::size_t>(size), 1); };
     EXPECT_EQ(hold().back(), 1);
     const double before = peak_memory();
-    forget_peak_memory();
+    reset_peak_memory();
     EXPECT_LE(peak_memory(), before);
     const std::vector<char> held = hold();
     EXPECT_GT(peak_memory(), resident_memory() - 0.1 * size);

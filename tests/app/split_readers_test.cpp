@@ -182,7 +182,7 @@ TEST_F(SplitReaders, PicturesAndFilmsAreDrawn) {
     EXPECT_NE(bytes("pictures/run_000001.png"), bytes("pictures/run_000002.png"));
 }
 
-TEST_F(SplitReaders, ThePageKnowsWhereVerticesAndFacesWereBorn) {
+TEST_F(SplitReaders, ThePageHasWhereVerticesAndFacesWereInserted) {
     const Recording recording(folder.path / "run.h5");
     StageOptions options;
     options.colour = RenderColour::strain;

@@ -43,12 +43,12 @@ TEST(SplitRecording, KeepsEveryBitAndWritesAMeshAtRestWhenItChanges) {
         EXPECT_EQ(is_link(file, k), linked[k]) << k;
     }
     const CrackEvents events = recording.events();
-    ASSERT_EQ(events.vertex_births.size(), 3u);
-    EXPECT_EQ(events.vertex_births[1].parents, (std::array<Index, 3>{6, 4, 2}));
-    EXPECT_EQ(events.vertex_births[1].weights, (std::array<double, 3>{0.5, 0.25, 0.25}));
-    ASSERT_EQ(events.face_births.size(), 6u);
-    EXPECT_EQ(events.face_births[5].created, 8);
-    EXPECT_EQ(events.face_births[5].parent, 4);
+    ASSERT_EQ(events.vertex_insertions.size(), 3u);
+    EXPECT_EQ(events.vertex_insertions[1].parents, (std::array<Index, 3>{6, 4, 2}));
+    EXPECT_EQ(events.vertex_insertions[1].weights, (std::array<double, 3>{0.5, 0.25, 0.25}));
+    ASSERT_EQ(events.face_insertions.size(), 6u);
+    EXPECT_EQ(events.face_insertions[5].created, 8);
+    EXPECT_EQ(events.face_insertions[5].parent, 4);
 }
 
 // Runs that only copy vertices must not pay for meshes at rest.
@@ -105,7 +105,7 @@ TEST(SplitRecording, PlotsCracksThroughFacesAsLongAsTheyAreAtRest) {
 }
 
 // Inserted vertices lie in the face that was split, and open from there.
-TEST(SplitRecording, BetweenFramesBornVerticesComeFromTheFaceTheyWereBornIn) {
+TEST(SplitRecording, BetweenFramesInsertedVerticesComeFromTheirFace) {
     const SyntheticRun run = split_run();
     const Snapshot opening = interpolated(run.frames[1], run.frames[2], 0.25);
     ASSERT_EQ(opening.faces.size(), 7u);
@@ -290,7 +290,7 @@ TEST(SplitRecording, TheWriterRefusesAMeshAtRestThatContradictsItself) {
     broken.rest.vertex_weights[split::m] = {0.5, 0.25, 0};
     EXPECT_THROW(writer.append(broken, {}, {}), Error);
     broken = run.frames[1];
-    broken.rest.unbroken_faces[2] = {4, 2, 1};
+    broken.rest.unfractured_faces[2] = {4, 2, 1};
     EXPECT_THROW(writer.append(broken, {}, {}), Error) << "of another unbroken mesh";
     EXPECT_EQ(Recording(folder.path / "split.h5").frame_count(), 0u);
 }

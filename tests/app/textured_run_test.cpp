@@ -113,7 +113,7 @@ Vector3d in_plate(const RestMesh& rest, std::size_t face, int corner, const Mesh
     const Vector3d weights = place_in_parent(rest, face, corner);
     Vector3d place = Vector3d::Zero();
     for (int k = 0; k < 3; ++k)
-        place += weights[k] * position(plate, Vertex(rest.unbroken_faces[rest.face_parent[face]][k]));
+        place += weights[k] * position(plate, Vertex(rest.unfractured_faces[rest.face_parent[face]][k]));
     return place;
 }
 
@@ -372,7 +372,7 @@ TEST_F(TexturedRun, LooksOfWhatBrokeGoOnWithTheRun) {
         run(mesh + "-half.h5", {"--until", "0.0016"});
         const Recording half(folder.path / (mesh + "-half.h5"));
         const Snapshot before = half.frame(half.frame_count() - 1);
-        ASSERT_GT(before.faces.size(), before.rest.unbroken_faces.size()) << "no crack has split a face";
+        ASSERT_GT(before.faces.size(), before.rest.unfractured_faces.size()) << "no crack has split a face";
         run(mesh + "-half.h5", {"--resume"});
         const Recording whole(folder.path / (mesh + "-whole.h5")), resumed(folder.path / (mesh + "-half.h5"));
         ASSERT_EQ(resumed.frame_count(), whole.frame_count());

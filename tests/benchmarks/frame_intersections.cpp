@@ -56,7 +56,7 @@ class CrossingStart {
 
 void print_row(const std::filesystem::path& file) {
     const Recording recording(file);
-    std::size_t passing = 0, lips = 0, through = 0;
+    std::size_t passing = 0, crack_faces = 0, through = 0;
     const std::vector<RecordedObstacle> obstacles = recording.obstacles();
     const CrossingStart start(recording.frame(0));
     for (std::size_t i = 0; i < recording.frame_count(); ++i) {
@@ -64,18 +64,18 @@ void print_row(const std::filesystem::path& file) {
         const test::FrameIntersections found = test::frame_intersections(frame);
         passing +=
             std::ranges::count_if(found.passing, [&](const auto& pair) { return !start.has(frame, pair); });
-        lips = std::max(lips, found.lips);
+        crack_faces = std::max(crack_faces, found.crack_faces);
         through += test::faces_in_obstacles(frame, obstacles, recording.poses(i));
     }
-    double lip = 0, obstacle = 0;
+    double crack_face = 0, obstacle = 0;
     for (const StepReport& step : recording.steps()) {
-        lip = std::max(lip, step.lip_overlap);
+        crack_face = std::max(crack_face, step.crack_face_overlap);
         obstacle = std::max(obstacle, step.obstacle_overlap);
     }
     const Snapshot last = recording.frame(recording.frame_count() - 1);
     fmt::print("| {} | {} | {} | {} | {} | {} | {} | {:.1f} | {:.1f} |\n", file.stem().string(),
-               last.faces.size(), recording.steps().size(), recording.frame_count(), passing, through, lips,
-               1e6 * lip, 1e6 * obstacle);
+               last.faces.size(), recording.steps().size(), recording.frame_count(), passing, through,
+               crack_faces, 1e6 * crack_face, 1e6 * obstacle);
 }
 
 }  // namespace

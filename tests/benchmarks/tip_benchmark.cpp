@@ -47,7 +47,7 @@ void make_tip_force(benchmark::State& state) {
     state.counters["faces"] = static_cast<double>(p.shell.triangles.size());
 }
 
-void judge_tip(benchmark::State& state) {
+void evaluate_tip(benchmark::State& state) {
     const TornPlate& p = torn_plate();
     const auto rings = static_cast<int>(state.range(0));
     const bool bends = state.range(1) != 0;
@@ -67,7 +67,7 @@ void factors_of_bending(benchmark::State& state) {
 }
 
 BENCHMARK(make_tip_force)->DenseRange(0, 2)->Unit(benchmark::kMicrosecond);
-BENCHMARK(judge_tip)->ArgsProduct({{0, 1, 2}, {0, 1}})->Unit(benchmark::kMicrosecond);
+BENCHMARK(evaluate_tip)->ArgsProduct({{0, 1, 2}, {0, 1}})->Unit(benchmark::kMicrosecond);
 BENCHMARK(factors_of_membrane)->Unit(benchmark::kMicrosecond);
 BENCHMARK(factors_of_bending)->Unit(benchmark::kMicrosecond);
 

@@ -19,7 +19,8 @@ ArcTriangle random_arcs(test::Random& random) {
     const TrianglePositions rest = random.matrix<TrianglePositions>(1);
     const Matrix3d elasticity = membrane_elasticity({1000, 0.01, 3e5, 0.3, 4e4, 2e4}, 0.4);
     const Vector3d squares = side_squares(rest);
-    return {membrane_triangle(rest, elasticity), squares, bows(squares, rest, random.matrix<Vector3d>(1))};
+    return {membrane_triangle(rest, elasticity), squares,
+            arc_sagittas(squares, rest, random.matrix<Vector3d>(1))};
 }
 
 TrianglePositions corners_of(const ArcUnknowns& all) {
@@ -89,7 +90,7 @@ TEST(ArcTriangle, ConvexHessianIsSemidefiniteAndExactAtTheStart) {
     const TrianglePositions rest = random.matrix<TrianglePositions>(1);
     const Vector3d curvature(0.3, -0.2, 0.5), squares = side_squares(rest);
     const ArcTriangle triangle{membrane_triangle(rest, membrane_elasticity({1000, 0.01, 3e5, 0.3})), squares,
-                               bows(squares, rest, curvature)};
+                               arc_sagittas(squares, rest, curvature)};
     EXPECT_LT(value(triangle, rest, curvature), 1e-24);
     const auto exact = hessian(triangle, rest, curvature, false);
     EXPECT_LT((exact - hessian(triangle, rest, curvature, true)).norm(), 1e-12 * exact.norm());

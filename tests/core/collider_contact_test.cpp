@@ -136,7 +136,7 @@ TEST(ColliderContact, WhatIsHeldInsideDoesNotMeetItsHolder) {
 
 // Substeps must be short enough for an approaching obstacle: a wall that met a plate at rest within a step
 // once threw it off with too much energy.
-TEST(ColliderContact, ExplicitStepsFeelAMovingWallInTime) {
+TEST(ColliderContact, ExplicitStepsTouchAMovingWallInTime) {
     for (const bool surface : {false, true}) {
         Shell shell = stacked_plates(1, 4, 0, firm_rubber);
         shell.position.row(2).array() += 0.6 * firm_rubber.thickness;

@@ -60,7 +60,7 @@ void expect_no_pair_missed(const Shell& shell) {
             for (const double common : {0.0, 10.0}) {
                 Positions motion = flight(random, shell, speed, spin);
                 motion.colwise() += common * Vector3d(1, -2, 3);
-                KeptTrees none;
+                CachedTrees none;
                 ContactCandidates candidates(surface, {shell.position, motion, 1e-3}, none);
                 for (int sample = 0; sample < 12; ++sample) {
                     const Positions x =
@@ -110,7 +110,7 @@ TEST(ContactCandidates, MissNoPairWithSolids) {
     Positions start(3, count);
     start << box->points, ball->points.colwise() + Vector3d(0.01, 0.01, 0.0209), shell.position;
     Random random(5);
-    KeptTrees kept;
+    CachedTrees kept;
     std::size_t found = 0, asked = 0;
     for (const double of_ball : {0.0, 0.01, 0.0})
         for (const double of_sheet : {0.0, 0.01}) {
@@ -133,11 +133,11 @@ TEST(ContactCandidates, MissNoPairWithSolids) {
 }
 
 // Cracks change the surface: all changed elements must be searched again, and no removed pair may stay.
-TEST(ContactCandidates, FollowCracksAsIfFoundAnew) {
+TEST(ContactCandidates, FollowCracksAsIfSearchedAgain) {
     Shell shell = test::stacked_plates(2, 4, 2.1e-3, test::ceramic);
     ContactSurface surface(shell);
     const Positions still = Positions::Zero(3, shell.position.cols());
-    KeptTrees none;
+    CachedTrees none;
     ContactCandidates candidates(surface, {shell.position, still, 1e-3}, none);
     for (const std::size_t triangle : {50, 51, 40, 3, 0}) {
         const Index corner = shell.triangles[triangle].vertices[1],
@@ -145,8 +145,8 @@ TEST(ContactCandidates, FollowCracksAsIfFoundAnew) {
         const ShellChange change{.vertices = {{copy, {{corner, 1}}}}};
         follow(shell, change);
         shell.triangles[triangle].vertices[1] = copy;
-        shell.twins.push_back({corner, copy});
-        if (triangle == 3) shell.twins.erase(shell.twins.begin());
+        shell.exempt_pairs.push_back({corner, copy});
+        if (triangle == 3) shell.exempt_pairs.erase(shell.exempt_pairs.begin());
         const ContactSurface before = std::exchange(surface, ContactSurface(shell));
         candidates.follow(change, before, surface, none);
         const Neighbourhood here(shell.position, Positions::Zero(3, copy + 1), 1e-4);

@@ -37,14 +37,14 @@ TEST(CoupledBending, DerivativesAreThoseOfTheValueWhereFacesYield) {
                   static_cast<double>(shell.triangles.size());
     const double yield = 0.01 * 6 * moment / std::pow(shell.thickness[0], 2);
     CoupledBending bending(shell, test::patch_mirrors(shell));
-    bending.let_yield({yield});
-    EXPECT_GT(bending.taken_by_yielding(x), 0.5 * bending.value(x));
-    EXPECT_GT(bending.kept_curvatures(x).colwise().norm().minCoeff(), 0);
+    bending.set_yield({yield});
+    EXPECT_GT(bending.dissipated_by_yielding(x), 0.5 * bending.value(x));
+    EXPECT_GT(bending.plastic_curvatures(x).colwise().norm().minCoeff(), 0);
     test::expect_derivatives(bending, x, 1e-5, 1e-5);
-    bending.keep(x);
-    EXPECT_EQ(bending.taken_by_yielding(x), 0);
+    bending.store_plastic_curvature(x);
+    EXPECT_EQ(bending.dissipated_by_yielding(x), 0);
     EXPECT_GT(bending.value(x), 0);
-    EXPECT_LT((bending.curvatures(x) + bending.kept_curvatures(x) - bent).norm(), 1e-9 * bent.norm());
+    EXPECT_LT((bending.curvatures(x) + bending.plastic_curvatures(x) - bent).norm(), 1e-9 * bent.norm());
 }
 
 // Sheets must neither move nor spin by their own bending, and must keep their rest shape.

@@ -15,7 +15,7 @@ using test::Random;
 
 constexpr double bend_stiffness = 1.7;
 
-TEST(CubicHinge, FeelsNoForceAtRestHoweverCurved) {
+TEST(CubicHinge, HasNoForceAtRestHoweverCurved) {
     Random random(4);
     for (int i = 0; i < 200; ++i) {
         const HingePositions rest = random_hinge(random, random.uniform(-2.6, 2.6));
@@ -69,7 +69,7 @@ TEST(CubicHinge, IsTheQuadraticModelWhereTheRestShapeIsFlat) {
 }
 
 // The form of 2007 has its known forces at rest, which the correction removes.
-TEST(CubicHinge, FormOf2007FeelsAForceAtRestWhereItIsCurved) {
+TEST(CubicHinge, FormOf2007HasAForceAtRestWhereItIsCurved) {
     const HingePositions rest = test::folded_hinge(1, 0.4, 0.7, 0.2, 1.1);
     EXPECT_NEAR(value(cubic_hinge_2007(rest, bend_stiffness), rest), 0, 1e-14);
     EXPECT_GT(gradient(cubic_hinge_2007(rest, bend_stiffness), rest).norm(), 0.1);

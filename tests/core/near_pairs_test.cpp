@@ -14,7 +14,7 @@ namespace {
 
 using test::Random;
 
-std::vector<std::pair<Index, Index>> blocks_soon(const NearPairs& near, const Positions& x) {
+std::vector<std::pair<Index, Index>> upcoming_blocks(const NearPairs& near, const Positions& x) {
     std::vector<std::pair<Index, Index>> blocks;
     near.add_contacts(x, true, blocks);
     std::ranges::sort(blocks);
@@ -34,7 +34,7 @@ void expect_same(const NearPairs& walker, const Positions& x, const Positions& m
         RC_ASSERT(pairs[i].mollifier.threshold == expected[i].mollifier.threshold);
     }
     RC_ASSERT(walker.safe_fraction(x, motion) == anew.safe_fraction(x, motion));
-    RC_ASSERT(blocks_soon(walker, x) == blocks_soon(anew, x));
+    RC_ASSERT(upcoming_blocks(walker, x) == upcoming_blocks(anew, x));
 }
 
 /// Random displacements: all fly together; parts of the vertices from `first` on drift and turn, each with

@@ -14,7 +14,7 @@ namespace {
 using test::Random;
 
 // Exactly zero: a sheet at rest must not creep.
-TEST(NonlinearHinge, FeelsNoForceAtRestHoweverCurved) {
+TEST(NonlinearHinge, HasNoForceAtRestHoweverCurved) {
     Random random(1);
     for (int i = 0; i < 200; ++i) {
         const HingePositions rest = test::random_hinge(random, random.uniform(-3.1, 3.1));

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/held_pair.h"
+#include "tests/support/cohesive_pair.h"
 
 namespace sherd {
 namespace {
@@ -23,60 +23,60 @@ double pull(OpeningEdges& edges, double way, int steps) {
     for (int i = 0; i < steps && !edges.empty(); ++i) {
         Positions before = Positions::Zero(3, 4), after = before;
         edges.add_forces(before);
-        edges.fade(test::parted_by(way), 1e-6);
+        edges.fade(test::opening_displacement(way), 1e-6);
         edges.add_forces(after);
-        work -= 0.5 * (before + after).cwiseProduct(test::parted_by(way)).sum();
+        work -= 0.5 * (before + after).cwiseProduct(test::opening_displacement(way)).sum();
     }
     return work;
 }
 
 TEST(OpeningEdges, TakeTheirEnergyLessWhatWentAtOnce) {
     OpeningEdges edges = by_work();
-    edges.open({7, 0.3, time}, test::held_together(force), here, 0.1);
-    EXPECT_EQ(edges.held(7), 1);
-    EXPECT_EQ(edges.held(8), 0);
+    edges.open({7, 0.3, time}, test::cohesive_pair(force), here, 0.1);
+    EXPECT_EQ(edges.cohesive_share(7), 1);
+    EXPECT_EQ(edges.cohesive_share(8), 0);
     EXPECT_NEAR(pull(edges, 1e-4, 10000), 0.2, 1e-4);
     EXPECT_TRUE(edges.empty());
-    EXPECT_EQ(edges.held(7), 0);
+    EXPECT_EQ(edges.cohesive_share(7), 0);
 }
 
 // The share of the force falls with the square root of the share of energy left, so that the force ends at a
 // finite opening.
 TEST(OpeningEdges, FadeByTheRootOfWhatIsLeft) {
     OpeningEdges edges = by_work();
-    edges.open({7, 0.2, time}, test::held_together(force), here, 0);
+    edges.open({7, 0.2, time}, test::cohesive_pair(force), here, 0);
     const double taken = pull(edges, 1e-5, 3000);
     EXPECT_GT(taken, 0.05);
-    EXPECT_NEAR(edges.held(7), std::sqrt(1 - taken / 0.2), 1e-9);
+    EXPECT_NEAR(edges.cohesive_share(7), std::sqrt(1 - taken / 0.2), 1e-9);
     Positions now = Positions::Zero(3, 4);
     edges.add_forces(now);
-    EXPECT_NEAR(now(0, 1), force * edges.held(7), 1e-3 * force);
+    EXPECT_NEAR(now(0, 1), force * edges.cohesive_share(7), 1e-3 * force);
     EXPECT_EQ(now(0, 0), 0);
 }
 
 TEST(OpeningEdges, NeverPush) {
     OpeningEdges edges = by_work();
-    edges.open({7, 0.2, time}, test::held_together(force), here, 0);
-    edges.fade(test::parted_by(-1e-3), 1e-6);
+    edges.open({7, 0.2, time}, test::cohesive_pair(force), here, 0);
+    edges.fade(test::opening_displacement(-1e-3), 1e-6);
     Positions now = Positions::Zero(3, 4);
     edges.add_forces(now);
     EXPECT_TRUE(now.isZero(0)) << "what held the edge together would drive it where it closes";
-    edges.fade(test::parted_by(1e-3), 1e-6);
+    edges.fade(test::opening_displacement(1e-3), 1e-6);
     edges.add_forces(now);
     EXPECT_GT(now(0, 1), 0) << "and holds it again when it opens";
 }
 
 TEST(OpeningEdges, EndAfterTheirTimeAndWhereMoreWentAtOnce) {
     OpeningEdges edges = by_work();
-    edges.open({7, 0.2, time}, test::held_together(force), here, 0.3);
+    edges.open({7, 0.2, time}, test::cohesive_pair(force), here, 0.3);
     EXPECT_TRUE(edges.empty());
-    edges.open({7, 0.2, time}, test::held_together(force), here, 0);
-    edges.fade(test::parted_by(0), longest / 2);
+    edges.open({7, 0.2, time}, test::cohesive_pair(force), here, 0);
+    edges.fade(test::opening_displacement(0), longest / 2);
     EXPECT_FALSE(edges.empty());
     Positions now = Positions::Zero(3, 4);
     edges.add_forces(now);
     EXPECT_NEAR(now(0, 1), force / 2, 1e-12);
-    edges.fade(test::parted_by(0), longest);
+    edges.fade(test::opening_displacement(0), longest);
     EXPECT_TRUE(edges.empty()) << "an edge that rests half open would be glued for ever";
 }
 
@@ -84,26 +84,26 @@ TEST(OpeningEdges, EndAfterTheirTimeAndWhereMoreWentAtOnce) {
 // it back: the cohesive force of the first alone would throw the vertices.
 TEST(OpeningEdges, CancelWhatTheNextOpposes) {
     OpeningEdges edges = by_work();
-    edges.open({7, 0.2, time}, test::held_together(force), here, -0.2);
-    edges.open({8, 0.2, time}, test::held_together(-0.75 * force), here, 0.3);
+    edges.open({7, 0.2, time}, test::cohesive_pair(force), here, -0.2);
+    edges.open({8, 0.2, time}, test::cohesive_pair(-0.75 * force), here, 0.3);
     Positions now = Positions::Zero(3, 4);
     edges.add_forces(now);
     EXPECT_NEAR(now(0, 1), 0.25 * force, 1e-12);
     EXPECT_NEAR(pull(edges, 1e-4, 10000), 0.25 * 0.4, 1e-4) << "and they take so much less";
 
-    edges.open({9, 0.2, time}, test::held_together(force), here, 0);
-    edges.open({10, 0.2, time}, test::held_together(-3 * force), here, 0);
+    edges.open({9, 0.2, time}, test::cohesive_pair(force), here, 0);
+    edges.open({10, 0.2, time}, test::cohesive_pair(-3 * force), here, 0);
     now.setZero();
     edges.add_forces(now);
     EXPECT_NEAR(now(0, 1), -2 * force, 1e-12) << "all of what is kept holds what it held together";
-    EXPECT_EQ(edges.held(9), 0);
-    EXPECT_EQ(edges.held(10), 1);
+    EXPECT_EQ(edges.cohesive_share(9), 0);
+    EXPECT_EQ(edges.cohesive_share(10), 1);
 }
 
 TEST(OpeningEdges, KeepWhatTheNextDoesNotOppose) {
     OpeningEdges edges = by_work();
-    edges.open({7, 0.2, time}, test::held_together(force), here, 0);
-    edges.open({8, 0.2, time}, test::held_together(force), here, 0);
+    edges.open({7, 0.2, time}, test::cohesive_pair(force), here, 0);
+    edges.open({8, 0.2, time}, test::cohesive_pair(force), here, 0);
     Positions now = Positions::Zero(3, 4);
     edges.add_forces(now);
     EXPECT_EQ(now(0, 1), 2 * force);
@@ -124,7 +124,7 @@ class OpeningEdgesByTime : public testing::Test {
         edges.begin_step(step_at(0, step), x);
         edges.shell_changes();
         edges.shell_changed(x);
-        edges.open({7, energy, lasts}, test::held_together(force), x, gone);
+        edges.open({7, energy, lasts}, test::cohesive_pair(force), x, gone);
     }
     double pull() const {
         Positions gradient = Positions::Zero(3, 4);
@@ -141,29 +141,29 @@ class OpeningEdgesByTime : public testing::Test {
 TEST_F(OpeningEdgesByTime, TakeHalfOfForceTimesWayInALongStep) {
     fail(1, 1e-3);
     EXPECT_EQ(pull(), 0);
-    EXPECT_EQ(edges.held(7), 0);
-    edges.solved(x + test::parted_by(0.05));
+    EXPECT_EQ(edges.cohesive_share(7), 0);
+    edges.solved(x + test::opening_displacement(0.05));
     EXPECT_NEAR(edges.taken(), 0.5 * force * 0.05, 1e-12);
-    edges.solved(x + test::parted_by(0.06));
+    edges.solved(x + test::opening_displacement(0.06));
     EXPECT_NEAR(edges.taken(), 0.5 * force * 0.06, 1e-12) << "the solution goes on";
     edges.finish();
-    edges.begin_step(step_at(1e-3, 1e-3), x + test::parted_by(0.06));
-    edges.solved(x + test::parted_by(0.1));
+    edges.begin_step(step_at(1e-3, 1e-3), x + test::opening_displacement(0.06));
+    edges.solved(x + test::opening_displacement(0.1));
     EXPECT_EQ(edges.taken(), 0);
 }
 
 TEST_F(OpeningEdgesByTime, TakeNoMoreThanTheirEnergyLessWhatWentAtOnce) {
     fail(0.3, 1e-3, 0.1);
-    edges.solved(x + test::parted_by(1));
+    edges.solved(x + test::opening_displacement(1));
     EXPECT_NEAR(edges.taken(), 0.2, 1e-12);
 }
 
 TEST_F(OpeningEdgesByTime, GiveNothing) {
     fail(1, 1e-3);
-    edges.solved(x + test::parted_by(-0.05));
+    edges.solved(x + test::opening_displacement(-0.05));
     EXPECT_EQ(edges.taken(), 0);
     fail(0.1, 1e-3, 0.1);
-    edges.solved(x + test::parted_by(0.05));
+    edges.solved(x + test::opening_displacement(0.05));
     EXPECT_EQ(edges.taken(), 0) << "all that it needs has gone at once";
 }
 
@@ -174,10 +174,11 @@ TEST_F(OpeningEdgesByTime, FadeOverShortSteps) {
     double taken = 0;
     for (int i = 1; i <= 4; ++i) {
         const double before = 1 - 0.25 * (i - 1), share = 1 - 0.25 * i;
-        EXPECT_NEAR(edges.held(7), share, 1e-12);
+        EXPECT_NEAR(edges.cohesive_share(7), share, 1e-12);
         EXPECT_NEAR(pull(), share * force, 1e-12);
-        EXPECT_NEAR(edges.value(x + test::parted_by(way)) - edges.value(x), share * force * way, 1e-12);
-        x = x + test::parted_by(way);
+        EXPECT_NEAR(edges.value(x + test::opening_displacement(way)) - edges.value(x), share * force * way,
+                    1e-12);
+        x = x + test::opening_displacement(way);
         edges.solved(x);
         EXPECT_NEAR(edges.taken(), 0.5 * (before + share) * force * way, 1e-12);
         taken += edges.taken();
@@ -185,13 +186,13 @@ TEST_F(OpeningEdgesByTime, FadeOverShortSteps) {
         edges.begin_step(step_at(i * step, step), x);
     }
     EXPECT_NEAR(taken, 0.5 * force * 4 * way, 1e-12);
-    EXPECT_EQ(edges.held(7), 0);
+    EXPECT_EQ(edges.cohesive_share(7), 0);
 }
 
 // Energy taken before another edge failed must not be counted twice.
 TEST_F(OpeningEdgesByTime, GoOnWhereTheShellChangesWithinAStep) {
     fail(1, 0.5 * lasts);
-    x = x + test::parted_by(0.01);
+    x = x + test::opening_displacement(0.01);
     edges.solved(x);
     const double first = 0.75 * force * 0.01;
     EXPECT_NEAR(edges.taken(), first, 1e-12);
@@ -199,17 +200,17 @@ TEST_F(OpeningEdgesByTime, GoOnWhereTheShellChangesWithinAStep) {
     x(0, 1) += 0.3;  // a vertex moves along the sheet
     edges.shell_changed(x);
     EXPECT_NEAR(edges.taken(), first, 1e-12);
-    edges.solved(x + test::parted_by(0.02));
+    edges.solved(x + test::opening_displacement(0.02));
     EXPECT_NEAR(edges.taken(), first + 0.5 * force * 0.02, 1e-12) << "at the share of the step";
 }
 
 // When a step is begun again, its edges are open, and the energy that they took is dropped.
-TEST_F(OpeningEdgesByTime, AStepThatIsBegunAgainForgetsItsEdges) {
+TEST_F(OpeningEdgesByTime, AStepThatIsBegunAgainHasNoneOfItsEdges) {
     fail(1, 0.25 * lasts);
-    edges.solved(x + test::parted_by(0.01));
+    edges.solved(x + test::opening_displacement(0.01));
     edges.begin_step(step_at(0, 0.1 * lasts), x);
     EXPECT_EQ(edges.taken(), 0);
-    EXPECT_EQ(edges.held(7), 0);
+    EXPECT_EQ(edges.cohesive_share(7), 0);
     EXPECT_EQ(pull(), 0);
 }
 
@@ -217,9 +218,9 @@ TEST_F(OpeningEdgesByTime, AStepThatIsBegunAgainForgetsItsEdges) {
 TEST_F(OpeningEdgesByTime, HoldNothingThatClosesOrHasItsEnergy) {
     for (const double way : {-0.01, 1.0}) {
         fail(0.1, 0.25 * lasts);
-        edges.solved(x + test::parted_by(way));
+        edges.solved(x + test::opening_displacement(way));
         edges.finish();
-        EXPECT_EQ(edges.held(7), 0);
+        EXPECT_EQ(edges.cohesive_share(7), 0);
     }
 }
 
@@ -228,9 +229,9 @@ TEST_F(OpeningEdgesByTime, FadeAtOnceInStatics) {
     StepContext step = step_at(0, 0.1 * lasts);
     step.inertia = 0;
     edges.begin_step(step, x);
-    edges.open({7, 1, lasts}, test::held_together(force), x, 0);
-    EXPECT_EQ(edges.held(7), 0);
-    edges.solved(x + test::parted_by(0.05));
+    edges.open({7, 1, lasts}, test::cohesive_pair(force), x, 0);
+    EXPECT_EQ(edges.cohesive_share(7), 0);
+    edges.solved(x + test::opening_displacement(0.05));
     EXPECT_NEAR(edges.taken(), 0.5 * force * 0.05, 1e-12);
 }
 

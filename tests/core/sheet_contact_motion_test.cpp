@@ -84,12 +84,12 @@ void cut_off(Shell& shell, std::size_t triangle, ImplicitStepper& time_step) {
     ShellChange change;
     for (Index& corner : shell.triangles[triangle].vertices) {
         const Index copy = static_cast<Index>(shell.mass.size());
-        const Heir heir{copy, {{corner, 1}}};
-        follow(shell, {.vertices = {heir}});
-        change.vertices.push_back(heir);
+        const IndexWithParents inserted{copy, {{corner, 1}}};
+        follow(shell, {.vertices = {inserted}});
+        change.vertices.push_back(inserted);
         for (VectorXd* shared : {&shell.mass, &shell.footprint})
             (*shared)[corner] = (*shared)[copy] = 0.5 * (*shared)[copy];
-        shell.twins.push_back({corner, copy});
+        shell.exempt_pairs.push_back({corner, copy});
         corner = copy;
     }
     time_step.topology_changed(change);

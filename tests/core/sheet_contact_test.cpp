@@ -101,10 +101,10 @@ TEST(SheetContact, PressureIsThatOfTheColumnOnAnyMesh) {
 }
 
 // Coincident vertices must not push each other, while elements beside them still collide.
-TEST(SheetContact, TwinsDoNotSeeEachOther) {
+TEST(SheetContact, ExemptPairsDoNotCollide) {
     Shell shell = test::stacked_plates(2, 2, 1.8e-3, test::ceramic);
     const std::size_t before = SheetContact(shell).active_pairs(shell.position).size();
-    shell.twins = {{4, 13}};  // the central vertices
+    shell.exempt_pairs = {{4, 13}};  // the central vertices
     const auto after = SheetContact(shell).active_pairs(shell.position);
     EXPECT_LT(after.size(), before);
     EXPECT_GT(after.size(), 0u);

@@ -17,7 +17,7 @@ Shell marked_sheet() {
     shell.fixed = {1, 1, 0, 0};
     shell.script = {3, 3, 0, 0};
     shell.guide = {0, 0, 2, 2};
-    shell.held = {4, 4, 0, 5};
+    shell.support_set = {4, 4, 0, 5};
     shell.vertex_sheet.assign(vertices, 7);
     shell.edge_hinge = {0, -1, -1, -1, -1};
     shell.edge_strength = {5, 6, 7, 8, 9};
@@ -66,7 +66,7 @@ TEST(ShellChange, AVertexBetweenOthersHasTheirMean) {
     EXPECT_EQ(shell.thickness[4], 1.75);
     EXPECT_EQ(shell.fixed[4], 1);
     EXPECT_EQ(shell.script[4], 3);
-    EXPECT_EQ(shell.held[4], 4);
+    EXPECT_EQ(shell.support_set[4], 4);
     EXPECT_EQ(shell.fixed[5], 0) << "one of its parents is free";
     EXPECT_EQ(shell.guide[5], 0);
     EXPECT_EQ(shell.vertex_sheet[5], 7);
@@ -87,7 +87,7 @@ TEST(ShellChange, AnEdgeAcrossFacesHasTheMeanFactorOfTheFiniteOnesAroundIt) {
 }
 
 // Inserted elements may be parents of others in the same change, as when an edge is split and then opened.
-TEST(ShellChange, HeirsCanHaveHeirsOfTheSameChange) {
+TEST(ShellChange, InsertedElementsCanBeParentsInTheSameChange) {
     Shell shell = marked_sheet();
     follow(shell,
            {.vertices = {{4, {{0, 0.5}, {1, 0.5}}}, {5, {{4, 1}}}}, .edges = {{5, {}}, {6, {{5, 1}}}}});
@@ -98,7 +98,7 @@ TEST(ShellChange, HeirsCanHaveHeirsOfTheSameChange) {
 }
 
 // Pressure and wind on a face must act on all of its parts.
-TEST(ShellChange, ListsOfFacesGetTheFacesThatAreBornOfTheirs) {
+TEST(ShellChange, ListsOfFacesGetTheFacesInsertedInTheirs) {
     std::vector<Index> faces{1, 4};
     follow_faces({.faces = {{7, {{4, 1}}}, {8, {{2, 1}}}, {9, {{7, 1}}}, {10, {}}}}, faces);
     EXPECT_EQ(faces, (std::vector<Index>{1, 4, 7, 9}));

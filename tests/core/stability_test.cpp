@@ -63,7 +63,7 @@ TEST(Stability, OfCubicHingesIsThatOfTheWholeMatrix) {
 
 // The rest shape is the same with arcs, and the membrane must outweigh the deficit of a cubic hinge as
 // before.
-TEST(Stability, IsJudgedWithTheMembraneThatIsChosen) {
+TEST(Stability, IsEvaluatedWithTheMembraneThatIsChosen) {
     Shell shell = test::curved_patch();
     EXPECT_TRUE(stable_at_rest(shell, BendingModel::coupled, MembraneModel::arc));
     EXPECT_TRUE(stable_at_rest(shell, BendingModel::cubic, MembraneModel::arc));

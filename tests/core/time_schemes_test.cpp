@@ -83,7 +83,7 @@ TEST(Bdf2, BodiesTumbleAtSecondOrder) {
 }
 
 // A vertex that a crack splits has a copy with the same history: uniform motion must remain uniform.
-TEST(Bdf2, WhatIsBornHasThePastOfItsParents) {
+TEST(Bdf2, InsertedVerticesHaveThePastOfTheirParents) {
     Shell shell = stacked_plates(1, 3, 0, {1000, 0.01, 1e8, 0.2});
     shell.velocity.colwise() = Vector3d(3, -1, 2);
     ImplicitStepper stepper(shell, bdf2(1e-3));

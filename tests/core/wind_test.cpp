@@ -84,7 +84,7 @@ TEST(Wind, APlateThatFallsBroadsideReachesItsTerminalSpeed) {
     }
 }
 
-TEST(Wind, IsNotFeltByWhatGoesWithIt) {
+TEST(Wind, ExertsNoForceOnWhatMovesWithIt) {
     Shell shell = test::tetrahedron(card);
     const Vector3d velocity(3, 4, -2);
     shell.velocity.colwise() = velocity;

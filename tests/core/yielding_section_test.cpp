@@ -20,7 +20,7 @@ YieldingSection steel() {
 }
 
 /// State at the curvature along the second axis at which only the first one bears a moment, by bisection.
-YieldingSection::State in_one_direction(double curvature, const KeptBend& before) {
+YieldingSection::State in_one_direction(double curvature, const PlasticBend& before) {
     double least = -curvature, most = curvature;
     for (int i = 0; i < 100; ++i) {
         const double middle = (least + most) / 2;
@@ -36,7 +36,7 @@ TEST(YieldingSection, AStripSpringsBackAsHandbooksSay) {
         const YieldingSection::State bent = in_one_direction(ratio * first, {});
         const double share = ratio > 1 ? 1.5 - 0.5 / (ratio * ratio) : ratio;
         EXPECT_NEAR(bent.moment[0], share * yield_moment, 1e-6 * yield_moment) << ratio;
-        EXPECT_NEAR(bent.kept.curvature[0], (ratio - share) * first, 1e-6 * first) << ratio;
+        EXPECT_NEAR(bent.plastic.curvature[0], (ratio - share) * first, 1e-6 * first) << ratio;
         EXPECT_EQ(bent.taken > 0, ratio > 1.005) << ratio;
     }
 }
@@ -47,14 +47,14 @@ TEST(YieldingSection, OtherBendsAreNearlyThoseOfLayers) {
     for (const Vector3d& way : {Vector3d(1, 0, 0), Vector3d(1, 1, 0), Vector3d(1, -1, 0), Vector3d(0, 0, 1.5),
                                 Vector3d(1, 0.3, 0.7)}) {
         Layers layers;
-        KeptBend kept;
+        PlasticBend plastic;
         for (int i = 1; i <= 24; ++i) {
             const Vector3d bent = 0.25 * i * first * way;
             const Vector3d exact = layers.bend(bent);
-            const YieldingSection::State state = steel().at(bent, kept);
-            kept = state.kept;
+            const YieldingSection::State state = steel().at(bent, plastic);
+            plastic = state.plastic;
             EXPECT_LT((state.moment - exact).norm(), 0.04 * mises(exact)) << way.transpose() << " " << i;
-            EXPECT_LT((kept.curvature - Layers::kept(bent, exact)).norm(), 0.05 * first)
+            EXPECT_LT((plastic.curvature - Layers::plastic_curvature(bent, exact)).norm(), 0.05 * first)
                 << way.transpose() << " " << i;
         }
     }
@@ -63,14 +63,14 @@ TEST(YieldingSection, OtherBendsAreNearlyThoseOfLayers) {
 // Bent back to zero moment a section takes no more energy, and bent there again it is elastic.
 TEST(YieldingSection, IsElasticWithinWhatItHasBorne) {
     const Vector3d far(3 * first, first, 0.5 * first);
-    const KeptBend kept = steel().at(far, {}).kept;
-    EXPECT_LT(steel().at(kept.curvature, kept).moment.norm(), 1e-12 * yield_moment);
+    const PlasticBend plastic = steel().at(far, {}).plastic;
+    EXPECT_LT(steel().at(plastic.curvature, plastic).moment.norm(), 1e-12 * yield_moment);
     for (const double share : {0.0, 0.4, 0.999}) {
-        const Vector3d bent = kept.curvature + share * (far - kept.curvature);
-        const YieldingSection::State state = steel().at(bent, kept);
+        const Vector3d bent = plastic.curvature + share * (far - plastic.curvature);
+        const YieldingSection::State state = steel().at(bent, plastic);
         EXPECT_EQ(state.taken, 0);
-        EXPECT_EQ(state.kept.passed, kept.passed);
-        EXPECT_EQ(state.moment, Vector3d(rigidity() * (bent - kept.curvature)));
+        EXPECT_EQ(state.plastic.passed, plastic.passed);
+        EXPECT_EQ(state.moment, Vector3d(rigidity() * (bent - plastic.curvature)));
     }
 }
 
@@ -82,7 +82,7 @@ TEST(YieldingSection, DerivativesAreThoseOfThePotential) {
     for (const Matrix3d& plate : {Matrix3d(rigidity()), Matrix3d(2 * grain)}) {
         const YieldingSection section(plate, yield_moment);
         const double least = yield_moment / plate(0, 0);
-        const KeptBend before = section.at(3 * least * random.matrix<Vector3d>(1), {}).kept;
+        const PlasticBend before = section.at(3 * least * random.matrix<Vector3d>(1), {}).plastic;
         for (int i = 0; i < 20; ++i) {
             const Vector3d bent = before.curvature + 4 * least * random.matrix<Vector3d>(1);
             const auto potential = [&](const Vector3d& k) {

@@ -10,7 +10,7 @@
 #include "core/forces/shell_energies.h"
 #include "core/membrane/membrane.h"
 #include "core/time/stepper.h"
-#include "fracture/kept_loads.h"
+#include "fracture/load_locks.h"
 #include "tests/support/advanced_sheet.h"
 #include "tests/support/steps.h"
 
@@ -32,12 +32,12 @@ void expect_same_energy(const Energy& followed, const Energy& anew, const Positi
     followed.add_gradient(x, one);
     anew.add_gradient(x, other);
     RC_ASSERT((one - other).norm() <= 1e-9 * other.norm());
-    std::vector<std::pair<Index, Index>> pairs, pairs_anew;
+    std::vector<std::pair<Index, Index>> pairs, searched_pairs;
     followed.add_pattern(pairs);
-    anew.add_pattern(pairs_anew);
+    anew.add_pattern(searched_pairs);
     std::ranges::sort(pairs);
-    std::ranges::sort(pairs_anew);
-    RC_ASSERT(pairs == pairs_anew);
+    std::ranges::sort(searched_pairs);
+    RC_ASSERT(pairs == searched_pairs);
 }
 
 std::vector<MirrorHinge> rim_mirrors(const Shell& shell) {
@@ -71,7 +71,7 @@ RC_GTEST_PROP(AdvanceEnergies, AreThoseOfTheShellAsItIs, ()) {
         const auto advanced = advances.next();
         if (!advanced) continue;
         follow(advanced->change.shell);
-        if (!advances.flips_a_coin()) continue;
+        if (!advances.random_bool()) continue;
         if (const auto change = advances.fail(advanced->halfedge)) follow(change->shell);
     }
     const Positions x = shaken(shell.rest, seed + 3);
@@ -124,7 +124,7 @@ RC_GTEST_PROP(AdvanceEnergies, LoadsGoOn, ()) {
     loads[0].moments = edge_moments(shell, boundary_triangle_edges(shell, rim), 0.7);
     loads[1].pressed = faces;
     loads[1].pressure = 5;
-    keep_loads(sheet, {.loads = loads});
+    lock_load_geometry(sheet, {.loads = loads});
     LoadEnergy energy(shell, loads);
     energy.begin(test::step_of(shell, 0, 1e-3));
     const auto total = [&] {

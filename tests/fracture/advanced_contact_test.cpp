@@ -28,7 +28,7 @@ void expect_same_pairs(const std::vector<ContactPair>& followed, const std::vect
     }
 }
 
-RC_GTEST_PROP(AdvancedContact, HasThePairsThatASearchAnewFinds, ()) {
+RC_GTEST_PROP(AdvancedContact, HasThePairsThatANewSearchFinds, ()) {
     const unsigned seed = *rc::gen::inRange(0u, 1u << 30);
     BreakableShell sheet({test::directed_input(0, seed)});
     Shell& shell = sheet.mechanics();
@@ -45,7 +45,7 @@ RC_GTEST_PROP(AdvancedContact, HasThePairsThatASearchAnewFinds, ()) {
         return Neighbourhood(positions(), Positions::Zero(3, positions().cols()), margin, ball->size());
     };
     ContactSurface surface(shell, colliders);
-    KeptTrees trees;
+    CachedTrees trees;
     ContactCandidates candidates(surface, here(1e-3), trees);
     const auto follow = [&](const ShellChange& change) {
         const ContactSurface before = std::exchange(surface, ContactSurface(shell, colliders));
@@ -61,7 +61,7 @@ RC_GTEST_PROP(AdvancedContact, HasThePairsThatASearchAnewFinds, ()) {
         const auto advanced = advances.next();
         if (!advanced) continue;
         follow(advanced->change.shell);
-        if (!advances.flips_a_coin()) continue;
+        if (!advances.random_bool()) continue;
         if (const auto change = advances.fail(advanced->halfedge)) follow(change->shell);
     }
 }

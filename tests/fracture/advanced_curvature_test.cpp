@@ -110,14 +110,14 @@ RC_GTEST_PROP(AdvancedCurvature, IsThatOfTheShellAsItIs, ()) {
         if (!advanced) continue;
         followed.follow(advanced->change.shell);
         if (i == 4) expect_same_sums(shell, followed);
-        if (!advances.flips_a_coin()) continue;
+        if (!advances.random_bool()) continue;
         if (const auto change = advances.fail(advanced->halfedge)) followed.follow(change->shell);
     }
     expect_same_sums(shell, followed);
 }
 
 // follow() must return exactly the faces whose terms it computed again.
-TEST(AdvancedCurvature, IsMadeAnewAroundTheChangeAlone) {
+TEST(AdvancedCurvature, IsRebuiltAroundTheChangeAlone) {
     SheetInput input = test::directed_input(0, 3);
     input.mesh = generate_rectangle(1, 0.7, {.edge_length = 0.025, .seed = 3});
     input.axes.assign(input.mesh.number_of_faces(), Vector3d::UnitX());

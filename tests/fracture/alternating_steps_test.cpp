@@ -46,7 +46,7 @@ struct Course {
         unexplained = std::max(unexplained, std::abs(report.unexplained));
         rises = std::max(rises, report.linear_momentum.z());
         shortest = std::min(shortest, report.step_size);
-        overwhelmed += report.urgency == Urgency::overwhelmed;
+        overwhelmed += report.urgency == Urgency::explicit_failed;
         ++steps;
     }
 };

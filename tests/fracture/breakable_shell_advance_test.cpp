@@ -100,7 +100,7 @@ RC_GTEST_PROP(BreakableShellAdvance, IsASheetMadeOfItsMeshWhateverFails, ()) {
     for (int i = 0; i < 20; ++i) {
         const auto advanced = advances.next();
         expect_made_of_its_mesh(sheet);
-        if (advanced && advances.flips_a_coin()) advances.fail(advanced->halfedge);
+        if (advanced && advances.random_bool()) advances.fail(advanced->halfedge);
         expect_made_of_its_mesh(sheet);
     }
     open_cut_edges(sheet);
@@ -108,7 +108,7 @@ RC_GTEST_PROP(BreakableShellAdvance, IsASheetMadeOfItsMeshWhateverFails, ()) {
     RC_ASSERT(std::abs(sheet.mechanics().mass.sum() - mass) <= 1e-12 * mass);
     if (test::is_flat_sheet(shape))
         RC_ASSERT(std::abs(sheet.mechanics().footprint.sum() - footprint) <= 1e-9 * footprint);
-    const BreakableShell anew = test::made_anew(sheet, input);
+    const BreakableShell anew = test::rebuilt(sheet, input);
     expect_same_shell(sheet, anew);
     const Positions x = waved(sheet.mechanics().rest, 0.02);
     const double energy = CoupledBending(anew.mechanics(), {}).value(x);
@@ -123,7 +123,7 @@ RC_GTEST_PROP(BreakableShellAdvance, ContactAreasAreThoseOfTheMesh, ()) {
     BreakableShell sheet({input});
     test::Advances advances(sheet, seed + 1);
     for (int i = 0; i < 20; ++i) advances.next();
-    const VectorXd anew = test::made_anew(sheet, input).mechanics().footprint;
+    const VectorXd anew = test::rebuilt(sheet, input).mechanics().footprint;
     RC_ASSERT((sheet.mechanics().footprint - anew).cwiseAbs().maxCoeff() <= 1e-12 * anew.maxCoeff());
 }
 
@@ -194,14 +194,14 @@ RC_GTEST_PROP(BreakableShellAdvance, KeepsMomentumOfAMovingSheet, ()) {
             then.add(mass, before.position.col(v), before.velocity.col(v));
             now.add(shell.mass[v], shell.position.col(v), shell.velocity.col(v));
         }
-        for (const Heir& born : advanced->change.shell.vertices)
-            now.add(shell.mass[born.element], shell.position.col(born.element),
-                    shell.velocity.col(born.element));
+        for (const IndexWithParents& inserted : advanced->change.shell.vertices)
+            now.add(shell.mass[inserted.element], shell.position.col(inserted.element),
+                    shell.velocity.col(inserted.element));
         const Vector3d way =
             then.mass > 0 ? Vector3d((now.moment - then.moment) / then.mass) : Vector3d(0, 0, 0);
         RC_ASSERT(is_bent || !test::is_flat_sheet(shape) || shell.uneven || way.norm() <= 1e-14);
         angular += way.cross(then.linear);
-        if (advances.flips_a_coin()) advances.fail(advanced->halfedge);
+        if (advances.random_bool()) advances.fail(advanced->halfedge);
         RC_ASSERT((linear_momentum(shell) - linear).norm() <= 1e-12 * shell.mass.sum());
         RC_ASSERT((angular_momentum(shell) - angular).norm() <= 1e-12 * shell.mass.sum());
     }
@@ -243,7 +243,7 @@ RC_GTEST_PROP(BreakableShellAdvance, ARigidMotionStaysOne, ()) {
         test::Advances advances(sheet, seed + 1);
         for (int i = 0; i < 10; ++i) {
             const auto advanced = advances.next();
-            if (advanced && advances.flips_a_coin()) advances.fail(advanced->halfedge);
+            if (advanced && advances.random_bool()) advances.fail(advanced->halfedge);
         }
         RC_ASSERT((shell.position - shell.rest).cwiseAbs().maxCoeff() <= 1e-14);
         RC_ASSERT(MembraneEnergy(shell.triangles).value(shell.position) <= 1e-18);
@@ -270,15 +270,15 @@ RC_GTEST_PROP(BreakableShellAdvance, ALinearDeformationStoresWhatItDid, ()) {
     test::Advances advances(sheet, seed + 1);
     for (int i = 0; i < 15; ++i) {
         const auto advanced = advances.next();
-        if (advanced && advances.flips_a_coin()) advances.fail(advanced->halfedge);
+        if (advanced && advances.random_bool()) advances.fail(advanced->halfedge);
     }
     RC_ASSERT((shell.position - map * shell.rest).cwiseAbs().maxCoeff() <= 1e-13);
     RC_ASSERT(std::abs(MembraneEnergy(shell.triangles).value(shell.position) - energy) <= 1e-11 * energy);
 }
 
-// Supported vertices and those of keep_place() must stay, and the border of a loaded area must remain a line,
-// with its faces on the same side. (On a curved sheet areas are shared in a plane, where the border may have
-// a bend.)
+// Supported vertices and those of lock_vertices() must stay, and the border of a loaded area must remain a
+// line, with its faces on the same side. (On a curved sheet areas are shared in a plane, where the border may
+// have a bend.)
 RC_GTEST_PROP(BreakableShellAdvance, WhatIsKeptStays, ()) {
     const unsigned shape = *rc::gen::inRange(0u, test::sheet_shapes), seed = *rc::gen::inRange(0u, 1u << 30);
     SheetInput input = test::directed_input(shape, seed);
@@ -286,11 +286,11 @@ RC_GTEST_PROP(BreakableShellAdvance, WhatIsKeptStays, ()) {
     BreakableShell sheet({input});
     Shell& shell = sheet.mechanics();
     const std::vector<Index> kept{3, 11};
-    sheet.keep_place(kept);
+    sheet.lock_vertices(kept);
     std::vector<Index> pressed;
     for (Index f = 0; f < static_cast<Index>(shell.triangles.size()); ++f)
         if (shell.rest(0, shell.triangles[f].vertices[0]) < 0.3) pressed.push_back(f);
-    sheet.keep_border(pressed);
+    sheet.lock_border(pressed);
     const auto mass = [&] {
         double sum = 0;
         for (const Index face : pressed) sum += shell.face_mass[face];
@@ -310,7 +310,7 @@ RC_GTEST_PROP(BreakableShellAdvance, WhatIsKeptStays, ()) {
         follow_faces(advanced->change.shell, pressed);
         RC_ASSERT(std::abs(mass() - pressed_mass) <=
                   (test::is_flat_sheet(shape) ? 1e-12 : 1e-4) * pressed_mass);
-        if (advances.flips_a_coin()) advances.fail(advanced->halfedge);
+        if (advances.random_bool()) advances.fail(advanced->halfedge);
     }
     for (const Index v : {0, 7, 3, 11}) RC_ASSERT(shell.rest.col(v) == before.rest.col(v));
     for (const Index v : {0, 7}) RC_ASSERT(shell.velocity.col(v).isZero(0));
@@ -324,11 +324,11 @@ BreakableShell held_sheet(unsigned seed) {
     BreakableShell sheet({input});
     Shell& shell = sheet.mechanics();
     shell.guides = {Vector3d(1, 1, 0).asDiagonal(), Vector3d(1, 0, 0).asDiagonal()};
-    shell.holds = {{{0, Vector3d(0, 0, 1).asDiagonal()}}, {{0, Vector3d(0, 1, 1).asDiagonal()}}};
+    shell.support_sets = {{{0, Vector3d(0, 0, 1).asDiagonal()}}, {{0, Vector3d(0, 1, 1).asDiagonal()}}};
     for (std::size_t v = 0; v < shell.guide.size(); ++v) {
         const bool middle = (shell.rest.col(static_cast<Index>(v)) - Vector3d(0.5, 0.5, 0)).norm() < 0.15;
         shell.guide[v] = middle ? 2 : 1;
-        shell.held[v] = middle ? 2 : 1;
+        shell.support_set[v] = middle ? 2 : 1;
     }
     return sheet;
 }
@@ -352,7 +352,7 @@ TEST(BreakableShellAdvance, WhatIsHeldAllAlikeMovesAlong) {
         const Shell& now = sheet.mechanics();
         for (Index v = 0; v < now.rest.cols(); ++v) {
             EXPECT_NE(now.guide[v], 0);
-            EXPECT_EQ(now.held[v], now.guide[v]);
+            EXPECT_EQ(now.support_set[v], now.guide[v]);
             const bool at_border = v < before.rest.cols() && before.guide[v] == 2 &&
                                    (before.rest.col(v) - Vector3d(0.5, 0.5, 0)).norm() > 0.15 - 0.04;
             EXPECT_TRUE(!at_border || now.rest.col(v) == before.rest.col(v));
@@ -361,7 +361,7 @@ TEST(BreakableShellAdvance, WhatIsHeldAllAlikeMovesAlong) {
 }
 
 // A crack that runs into a closed face (lip) of another one must not expose its end to contact.
-TEST(BreakableShellAdvance, ACrackThatMeetsAClosedLipHasNoContactThere) {
+TEST(BreakableShellAdvance, ACrackThatMeetsAClosedCrackFaceHasNoContactThere) {
     SheetInput input;
     input.mesh = test::grid(6, 6);
     input.material = {.density = 1000, .thickness = 0.01, .young = 1e9, .poisson = 0.3};
@@ -375,10 +375,10 @@ TEST(BreakableShellAdvance, ACrackThatMeetsAClosedLipHasNoContactThere) {
     const Vertex end = sheet.mesh().target(met->halfedge);
     ASSERT_TRUE(sheet.mesh().is_border(end));
     EXPECT_DOUBLE_EQ(position(sheet.mesh(), end).y(), 3);
-    int twins = 0;
-    for (const auto& [a, b] : sheet.mechanics().twins)
-        twins += a == static_cast<Index>(end) || b == static_cast<Index>(end);
-    EXPECT_EQ(twins, 2);
+    int exempt_pairs = 0;
+    for (const auto& [a, b] : sheet.mechanics().exempt_pairs)
+        exempt_pairs += a == static_cast<Index>(end) || b == static_cast<Index>(end);
+    EXPECT_EQ(exempt_pairs, 2);
     int tips = 0;
     for (const Vertex v : sheet.mesh().vertices()) tips += sheet.cracks().is_tip(v);
     EXPECT_EQ(tips, 2);

@@ -82,7 +82,7 @@ TEST_F(Breaking, WhatHasNoStrengthIsNotOverloadedInfinitely) {
 }
 
 // A sheet whose measure is stress must not fracture by its strain, nor the other way round.
-TEST_F(Breaking, JudgesByTheMeasureOfTheSheet) {
+TEST_F(Breaking, ComparesByTheMeasureOfTheSheet) {
     for (const Measure measure : {Measure::strain, Measure::stress, Measure::bending}) {
         set(uniform_strength(0.1, measure));
         const Edge edge = edge_at(15, 28);

@@ -112,7 +112,7 @@ RC_GTEST_PROP(CornerRule, ChangesAreReportedInFull, ()) {
     const CrackMesh::Change change = cracks.fail(drawn.failed);
     std::vector<int> origin(drawn.mesh.number_of_vertices());
     for (std::size_t v = 0; v < origin.size(); ++v) origin[v] = static_cast<int>(v);
-    for (const Born<Vertex>& vertex : change.topology.vertices) {
+    for (const WithParents<Vertex>& vertex : change.topology.vertices) {
         RC_ASSERT(vertex.element.idx() == origin.size());
         RC_ASSERT(vertex.is_copy());
         origin.push_back(origin[vertex.parent()]);

@@ -61,16 +61,16 @@ VectorXd hessian_of(const Energy& energy, const Positions& x) {
     return Eigen::Map<const VectorXd>(matrix.values().data(), matrix.values().size());
 }
 
-void expect_same(const Energy& followed, const Energy& anew, const Positions& x) {
-    const double energy = anew.value(x);
+void expect_same(const Energy& followed, const Energy& rebuilt, const Positions& x) {
+    const double energy = rebuilt.value(x);
     RC_ASSERT(std::isfinite(energy));
     RC_ASSERT(std::abs(followed.value(x) - energy) <= 1e-12 * energy);
     Positions one = Positions::Zero(3, x.cols()), other = one;
     followed.add_gradient(x, one);
-    anew.add_gradient(x, other);
+    rebuilt.add_gradient(x, other);
     RC_ASSERT((one - other).norm() <= 1e-12 * other.norm());
-    RC_ASSERT(pattern_of(followed) == pattern_of(anew));
-    const VectorXd hessian = hessian_of(anew, x);
+    RC_ASSERT(pattern_of(followed) == pattern_of(rebuilt));
+    const VectorXd hessian = hessian_of(rebuilt, x);
     RC_ASSERT((hessian_of(followed, x) - hessian).norm() <= 1e-12 * hessian.norm());
 }
 
@@ -93,14 +93,15 @@ RC_GTEST_PROP(CoupledCracks, LeaveWhatAShellMadeWithTheseEdgesFreeHas, ()) {
         followed.topology_changed(change, step);
         arcs.topology_changed(change, step);
 
-        const CoupledBending anew(shell, mirrors);
+        const CoupledBending rebuilt(shell, mirrors);
         test::Random random(recipe.seed);
         Positions x = shell.rest;
         for (double& coordinate : x.reshaped()) coordinate += random.uniform(-0.02, 0.02);
-        expect_same(followed, anew, x);
+        expect_same(followed, rebuilt, x);
         expect_same(arcs, ArcMembrane(shell, mirrors), x);
         RC_ASSERT(arcs.value(shell.rest) <= 1e-20 * arcs.value(x));
-        RC_ASSERT((followed.curvatures(x) - anew.curvatures(x)).norm() <= 1e-12 * anew.curvatures(x).norm());
+        RC_ASSERT((followed.curvatures(x) - rebuilt.curvatures(x)).norm() <=
+                  1e-12 * rebuilt.curvatures(x).norm());
     }
 }
 

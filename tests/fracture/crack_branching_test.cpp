@@ -45,13 +45,13 @@ const Vector3d middle(0.05, 0.02, 0);
 
 // The mean release reaches half of a new value within the time of two edges: a vibration within one edge must
 // not make a tip branch.
-TEST(CrackBranching, ATipIsFedWithinThreeEdges) {
+TEST(CrackBranching, TheMeanReleaseFollowsWithinThreeEdges) {
     const BreakableShell plate = half_open_plate();
     GrowingTip tip = running_tip(plate, middle);
     const double step = 0.01 * plate_edge / limit;
-    for (int i = 0; i < 200; ++i) feed(plate, tip, {}, 2, step);
+    for (int i = 0; i < 200; ++i) update_mean_release(plate, tip, {}, 2, step);
     EXPECT_NEAR(tip.release, 4 * (1 - std::exp(-2.0 / 3)), 0.25);
-    feed(plate, tip, {}, 3, 1);
+    update_mean_release(plate, tip, {}, 3, 1);
     EXPECT_DOUBLE_EQ(tip.release, 9) << "in long steps it is that of the step";
 }
 
@@ -62,22 +62,23 @@ TEST(CrackBranching, ResidualStressFeedsByTheThickness) {
     TipLoad load;
     load.residual = 1;
     GrowingTip tip = running_tip(plate, middle);
-    feed(plate, tip, load, 2, 1);
+    update_mean_release(plate, tip, load, 2, 1);
     EXPECT_DOUBLE_EQ(tip.release, 0.7 * 4);
     load.by_energy = true;
-    feed(plate, tip, load, 2, 1);
+    update_mean_release(plate, tip, load, 2, 1);
     EXPECT_DOUBLE_EQ(tip.release, 4);
     tip.release = 0;
     const double step = 0.01 * test::glass.thickness / limit;
-    for (int i = 0; i < 50; ++i) feed(plate, tip, load, 2, step);
+    for (int i = 0; i < 50; ++i) update_mean_release(plate, tip, load, 2, step);
     EXPECT_NEAR(tip.release, 4 * (1 - std::exp(-1.0)), 0.03);
-    std::vector<GrowingTip> twins{tip, running_tip(plate, middle + Vector3d(0, 4 * plate_edge, 0))};
-    twins[0].release = 5;
-    twins[0].twin = twins[1].number = 1;
-    EXPECT_TRUE(branches(plate, twins[0], load, twins, plate_edge / limit))
+    std::vector<GrowingTip> exempt_pairs{tip, running_tip(plate, middle + Vector3d(0, 4 * plate_edge, 0))};
+    exempt_pairs[0].release = 5;
+    exempt_pairs[0].other_branch = exempt_pairs[1].number = 1;
+    EXPECT_TRUE(branches(plate, exempt_pairs[0], load, exempt_pairs, plate_edge / limit))
         << "it is a thickness and more away";
     load.residual = 0;
-    EXPECT_FALSE(branches(plate, twins[0], load, twins, plate_edge / limit)) << "it is four edges away";
+    EXPECT_FALSE(branches(plate, exempt_pairs[0], load, exempt_pairs, plate_edge / limit))
+        << "it is four edges away";
 }
 
 TEST(CrackBranching, NeedsTwiceTheEnergyAndTheLimit) {
@@ -109,7 +110,7 @@ TEST(CrackBranching, GoesToBothSidesAlike) {
 }
 
 // Branches propagate together as long as the mesh cannot distinguish them, and must not branch again at once.
-TEST(CrackBranching, TwinsKeepTogetherAndApart) {
+TEST(CrackBranching, BranchesKeepTogetherAndApart) {
     const BreakableShell plate = half_open_plate();
     struct Gap {
         double edges;
@@ -121,13 +122,13 @@ TEST(CrackBranching, TwinsKeepTogetherAndApart) {
         for (const double side : {0.5, -0.5})
             all.push_back(running_tip(plate, Vector3d(0.075, 0.02 + side * edges * plate_edge, 0)));
         all[1].number = 1;
-        all[0].twin = 1;
-        all[1].twin = 0;
+        all[0].other_branch = 1;
+        all[1].other_branch = 0;
         all[0].release = 5;
-        EXPECT_EQ(near_twin(plate, all[0], all) == &all[1], is_near) << edges << " edges apart";
+        EXPECT_EQ(near_branch(plate, all[0], all) == &all[1], is_near) << edges << " edges apart";
         EXPECT_EQ(branches(plate, all[0], {}, all, plate_edge / limit), may_branch) << edges;
-        all[0].twin = 7;
-        EXPECT_EQ(near_twin(plate, all[0], all), nullptr) << "that one is no more";
+        all[0].other_branch = 7;
+        EXPECT_EQ(near_branch(plate, all[0], all), nullptr) << "that one is no more";
     }
 }
 

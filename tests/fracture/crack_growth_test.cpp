@@ -157,7 +157,7 @@ TEST(CrackGrowth, RecordsItsTips) {
 }
 
 // Far above its toughness a crack must branch, and both branches must propagate.
-TEST(CrackGrowth, BranchesWhereItIsFedTooMuch) {
+TEST(CrackGrowth, BranchesWhereItsMeanReleaseIsTooLarge) {
     Simulation simulation = pulled_strip(1, 1e6, 1.5e7);
     std::map<Index, std::vector<Vector3d>> places;
     for (int i = 0; i < 60; ++i) {
@@ -179,16 +179,17 @@ TEST(CrackGrowth, SnapshotsTellHowFarEdgesHaveFaded) {
     for (int i = 0; i < 400; ++i) {
         simulation.step();
         const Snapshot frame = simulation.snapshot();
-        ASSERT_TRUE(frame.edge_held.empty() || frame.edge_held.size() == frame.edges.size());
+        ASSERT_TRUE(frame.edge_cohesive_share.empty() ||
+                    frame.edge_cohesive_share.size() == frame.edges.size());
         std::map<std::size_t, double> now;
-        for (std::size_t e = 0; e < frame.edge_held.size(); ++e) {
-            if (frame.edge_held[e] == 0) continue;
+        for (std::size_t e = 0; e < frame.edge_cohesive_share.size(); ++e) {
+            if (frame.edge_cohesive_share[e] == 0) continue;
             EXPECT_NE(frame.edge_state[e], EdgeState::interior) << "edge " << e;
-            now[e] = frame.edge_held[e];
+            now[e] = frame.edge_cohesive_share[e];
             EXPECT_LE(now[e], before.contains(e) ? before[e] : 1) << "edge " << e;
             faded += before.contains(e) && now[e] < before[e];
         }
-        EXPECT_EQ(now.empty(), frame.edge_held.empty()) << "written only where an edge opens";
+        EXPECT_EQ(now.empty(), frame.edge_cohesive_share.empty()) << "written only where an edge opens";
         seen = std::max(seen, now.size());
         before = now;
     }
@@ -213,7 +214,7 @@ struct ImplicitRun {
             last = simulation.step();
             failures.add(simulation);
             largest = std::max({largest, last.kinetic, last.membrane});
-            for (const double held : simulation.snapshot().edge_held) fading += held > 0;
+            for (const double held : simulation.snapshot().edge_cohesive_share) fading += held > 0;
         }
         for (const auto& [a, b] : failures.edges)
             needed += (a - b).norm() * test::glass.thickness * 1e12 / test::glass.young;

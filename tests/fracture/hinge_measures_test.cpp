@@ -132,13 +132,14 @@ TEST_F(HingeMeasuresOfASquare, OfASingleHingeAreThoseOfAll) {
             ShellEnergyOptions options{.bending = {.model = model}, .membrane = membrane};
             options.yields = {1e4};
             const ShellEnergies energies(sheet->mechanics(), options);
-            const HingeMeasures all = hinge_measures(*sheet, x, energies.coupled_curvatures(x),
-                                                     energies.face_strains(x), energies.kept_curvatures(x));
+            const HingeMeasures all =
+                hinge_measures(*sheet, x, energies.coupled_curvatures(x), energies.face_strains(x),
+                               energies.plastic_curvatures(x));
             for (Index hinge = 0; hinge < static_cast<Index>(all.strain.size()); ++hinge) {
                 const std::array<Index, 2> faces = faces_of_hinge(*sheet, hinge);
                 const HingeMeasure one =
                     hinge_measure(*sheet, hinge, x, energies.coupled_curvatures(x, faces),
-                                  energies.face_strains(x, faces), energies.kept_curvatures(x, faces));
+                                  energies.face_strains(x, faces), energies.plastic_curvatures(x, faces));
                 ASSERT_EQ(one.bending, all.bending[hinge]) << hinge;
                 ASSERT_EQ(one.strain, all.strain[hinge]) << hinge;
                 ASSERT_EQ(one.stress, all.stress[hinge]) << hinge;

@@ -32,14 +32,14 @@ TEST(HingePeaks, StayWithTheirEdgesWhateverFails) {
     for (std::size_t i = 0; i < sheet.mechanics().hinges.size(); i += 3)
         failing.push_back(sheet.edge_of_hinge(i));
     HingePeaks peaks;
-    peaks.judge(sheet, by_edge(sheet, 5));
+    peaks.record(sheet, by_edge(sheet, 5));
     peaks.finish_step();
     sheet.fail(failing);
     ASSERT_GT(sheet.mesh().number_of_edges(), static_cast<std::size_t>(peaks.of_edges().strain.size()))
         << "cracks have opened";
-    peaks.judge(sheet, by_edge(sheet, 7));
+    peaks.record(sheet, by_edge(sheet, 7));
     peaks.finish_step();
-    peaks.judge(sheet, by_edge(sheet, 6));
+    peaks.record(sheet, by_edge(sheet, 6));
     peaks.finish_step();
     for (const Edge edge : failing) EXPECT_EQ(peaks.of_edges().bending[edge], 5.0 * edge);
     for (std::size_t i = 0; i < sheet.mechanics().hinges.size(); ++i) {
@@ -51,11 +51,11 @@ TEST(HingePeaks, StayWithTheirEdgesWhateverFails) {
 }
 
 // A failed step is repeated with a shorter one; its measures must be dropped.
-TEST(HingePeaks, ForgetAttemptsThatWereGivenUp) {
+TEST(HingePeaks, ReplaceAttemptsThatWereGivenUp) {
     const BreakableShell sheet({disc()});
     HingePeaks peaks;
-    peaks.judge(sheet, by_edge(sheet, 100));
-    peaks.judge(sheet, by_edge(sheet, 1));
+    peaks.record(sheet, by_edge(sheet, 100));
+    peaks.record(sheet, by_edge(sheet, 1));
     peaks.finish_step();
     EXPECT_EQ(peaks.of_edges().bending.maxCoeff(), by_edge(sheet, 1).bending.maxCoeff());
 }

@@ -8,7 +8,7 @@
 
 #include "fracture/simulation.h"
 #include "meshops/generate.h"
-#include "tests/support/thrown_by.h"
+#include "tests/support/message_thrown_by.h"
 
 namespace sherd {
 namespace {
@@ -70,7 +70,7 @@ TEST_P(ByHand, PinnedVerticesGoAsTheyAreTold) {
     sheet.pinned = {0, 1};
     SimulationOptions options = options_of(GetParam());
     options.held = {{0, {}}, {1, {}}};
-    for (HeldVertex& held : options.held) held.by = {{0, Matrix3d::Identity()}};
+    for (SupportedVertex& held : options.held) held.by = {{0, Matrix3d::Identity()}};
     options.stepper.supports = 1;
     Simulation simulation({sheet}, options);
     const std::vector<Index> told{1, 0};
@@ -87,7 +87,7 @@ TEST_P(ByHand, PinnedVerticesGoAsTheyAreTold) {
     simulation.step();
     EXPECT_LT((simulation.shell().mechanics().position.col(1) - places.col(0)).norm(), 1e-15);
     EXPECT_EQ(simulation.shell().mechanics().motions.size(), 2u);
-    EXPECT_NE(test::thrown_by([&] {
+    EXPECT_NE(test::message_thrown_by([&] {
                   simulation.prescribe(std::array{Index{2}}, places.leftCols(1), 1);
               }).find("vertex 2 cannot follow prescribed positions"),
               std::string::npos);
@@ -106,9 +106,9 @@ TEST_P(ByHand, EdgesBreakBetweenSteps) {
         EXPECT_EQ(events.failures.size(), 4u);
         EXPECT_EQ(events.openings.size(), 4u);
         EXPECT_EQ(events.splits.size(), 5u);
-        ASSERT_EQ(events.births.size(), 1u);
-        EXPECT_EQ(events.births[0].step, steps);
-        EXPECT_EQ(events.births[0].time, simulation.time());
+        ASSERT_EQ(events.fragment_splits.size(), 1u);
+        EXPECT_EQ(events.fragment_splits[0].step, steps);
+        EXPECT_EQ(events.fragment_splits[0].time, simulation.time());
         const Snapshot snapshot = simulation.snapshot();
         EXPECT_EQ(*std::ranges::max_element(snapshot.face_fragment), 1);
         EXPECT_EQ(simulation.step().fragments, 2);
@@ -134,14 +134,16 @@ TEST(BrokenByHand, WhatCannotFailIsSaid) {
     Simulation simulation({square()}, options_of(Scheme::implicit_euler));
     std::vector<Edge> line = middle_line(simulation);
     line.push_back(line.front());
-    EXPECT_NE(test::thrown_by([&] { simulation.break_by_hand(line); }).find("is given twice"),
+    EXPECT_NE(test::message_thrown_by([&] { simulation.break_by_hand(line); }).find("is given twice"),
               std::string::npos);
     EXPECT_TRUE(simulation.take_events().failures.empty());
     line.pop_back();
     simulation.break_by_hand(line);
-    EXPECT_NE(test::thrown_by([&] { simulation.break_by_hand(line); }).find("has failed already"),
+    EXPECT_NE(test::message_thrown_by([&] { simulation.break_by_hand(line); }).find("has failed already"),
               std::string::npos);
-    EXPECT_NE(test::thrown_by([&] { simulation.give_forces(Positions::Zero(3, 2)); }).find("for 2 vertices"),
+    EXPECT_NE(test::message_thrown_by([&] {
+                  simulation.give_forces(Positions::Zero(3, 2));
+              }).find("for 2 vertices"),
               std::string::npos);
 }
 

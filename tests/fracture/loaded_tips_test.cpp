@@ -23,15 +23,15 @@ Positions forces_of(const Energy& loads, const Positions& x) {
 }
 
 /// Load that pushes the crack faces (lips) from -1 to 1 apart by a pressure on them.
-Load pressure_on_lips(const test::CrackedSheet& sheet, double pressure) {
-    const std::vector<char> lips = [&] {
+Load pressure_on_crack_faces(const test::CrackedSheet& sheet, double pressure) {
+    const std::vector<char> crack_faces = [&] {
         std::vector<char> all(sheet.shell.rest.cols());
         for (Index v = 0; v < sheet.shell.rest.cols(); ++v)
             all[v] = std::abs(sheet.shell.rest(1, v)) < 1e-9 && std::abs(sheet.shell.rest(0, v)) < 1 + 1e-9;
         return all;
     }();
     std::array<std::vector<TriangleEdge>, 2> sides;  // below the crack, and above
-    for (const TriangleEdge& side : boundary_triangle_edges(sheet.shell, lips))
+    for (const TriangleEdge& side : boundary_triangle_edges(sheet.shell, crack_faces))
         sides[sheet.shell.rest(1, edge_and_apex(sheet.shell, side)[2]) > 0].push_back(side);
     Load load;
     for (const int above : {0, 1}) {
@@ -44,13 +44,13 @@ Load pressure_on_lips(const test::CrackedSheet& sheet, double pressure) {
 
 // Pressure on the crack faces drives a crack like a pull on the sheet, from which it differs by a field of
 // constant strain without a crack; the rings move through it.
-TEST(LoadedTips, PressureOnLipsReleasesWhatAPullDoes) {
+TEST(LoadedTips, PressureOnCrackFacesReleasesWhatAPullDoes) {
     for (const int size : {5, 10}) {
         std::array<double, 3> with{}, without{};
         for (unsigned seed = 1; seed <= 3; ++seed) {
             const test::CrackedSheet sheet = test::cracked_sheet(1.0 / size, seed);
             MembraneEnergy membrane(sheet.shell.triangles);
-            LoadEnergy loads(sheet.shell, {pressure_on_lips(sheet, load_of_tips)});
+            LoadEnergy loads(sheet.shell, {pressure_on_crack_faces(sheet, load_of_tips)});
             loads.begin(test::step_of(sheet.shell, 0, 1));
             const double nu = sheet.material.poisson;
             const Positions x = test::equilibrium(
@@ -66,7 +66,7 @@ TEST(LoadedTips, PressureOnLipsReleasesWhatAPullDoes) {
             for (const CrackTip& tip : sheet.tips)
                 for (int rings = 0; rings < 3; ++rings) {
                     const TipForce force(sheet.shell, around, {}, tip, rings);
-                    const double pressed = force.at(x, {.on_lips = forces_of(loads, x)}).sum().norm();
+                    const double pressed = force.at(x, {.on_crack_faces = forces_of(loads, x)}).sum().norm();
                     EXPECT_NEAR(pressed / force.at(pulled).sum().norm(), 1, 1e-3);
                     with[rings] += pressed / expected / 6;
                     without[rings] += force.at(x).sum().norm() / expected / 6;

@@ -223,14 +223,14 @@ TEST(BreakingSimulation, EventsHaveTheTimeOfTheStepThatWasDone) {
         << "it broke before the step was halved";
     EXPECT_EQ(events.openings.size(), 2u);
     EXPECT_EQ(events.splits.size(), 3u);
-    EXPECT_EQ(events.births.size(), 1u);
+    EXPECT_EQ(events.fragment_splits.size(), 1u);
     const auto expect_time = [&](const auto& of_kind) {
         for (const auto& event : of_kind) EXPECT_EQ(event.time, report.time);
     };
     expect_time(events.failures);
     expect_time(events.openings);
     expect_time(events.splits);
-    expect_time(events.births);
+    expect_time(events.fragment_splits);
     EXPECT_EQ(simulation.snapshot().position.cols(), whole.snapshot().position.cols() + 3);
     while (simulation.time() < 0.06) simulation.step();
     EXPECT_TRUE(simulation.take_events().failures.empty());

@@ -65,13 +65,13 @@ TEST_F(SmallPieces, AreToldFromEitherSideOfACrackThatIsOpen) {
 // Two edges together would separate a piece: one of them may fail.
 TEST_F(SmallPieces, AreKeptOnByTheLastEdgeAndCountedOnce) {
     const std::vector<Edge> both{right(), top()};
-    EXPECT_EQ(keep_small_pieces_on(*sheet, both), 1);
+    EXPECT_EQ(prevent_small_pieces(*sheet, both), 1);
     EXPECT_EQ(sheet->strength(right()), 0.1);
     EXPECT_EQ(sheet->strength(top()), std::numeric_limits<double>::infinity());
-    EXPECT_EQ(keep_small_pieces_on(*sheet, std::vector{right()}), 0);
-    EXPECT_EQ(keep_small_pieces_on(*sheet, {}), 0);
+    EXPECT_EQ(prevent_small_pieces(*sheet, std::vector{right()}), 0);
+    EXPECT_EQ(prevent_small_pieces(*sheet, {}), 0);
     make(0);
-    EXPECT_EQ(keep_small_pieces_on(*sheet, both), 0) << "any piece may come off";
+    EXPECT_EQ(prevent_small_pieces(*sheet, both), 0) << "any piece may come off";
 }
 
 /// Tilted disc that falls on a floor, at 4 m/s.
@@ -107,10 +107,10 @@ TEST(ArtDirection, NoPieceOfARunIsBelowTheSmallest) {
         EXPECT_GT(fragments, 1);
         if (smallest > 0) {
             EXPECT_GE(least, smallest);
-            EXPECT_GT(simulation.forbidden_failures(), 0);
+            EXPECT_GT(simulation.prevented_failures(), 0);
         } else {
             EXPECT_LT(least, 0.03) << "crumbs, without it";
-            EXPECT_EQ(simulation.forbidden_failures(), 0);
+            EXPECT_EQ(simulation.prevented_failures(), 0);
         }
     }
 }

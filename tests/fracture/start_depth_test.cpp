@@ -31,12 +31,12 @@ SimulationOptions on_floor(Scheme scheme, double height) {
 }
 
 /// Square at height 0 whose vertices may be as deep in the obstacle below as they start.
-BreakableShell sunk(double depth, double speed = 0, bool unseen = false) {
+BreakableShell sunk(double depth, double speed = 0, bool surface_exempt = false) {
     SheetInput input = tilted_square(0, {0, 0, 0}, 0.25);
     input.velocity = {0, 0, speed};
     BreakableShell sheet({input});
     for (Index v = 0; v < static_cast<Index>(sheet.mechanics().mass.size()); ++v)
-        let_overlap(sheet.mechanics(), 1, 0, v, depth, unseen);
+        exempt_overlap(sheet.mechanics(), 1, 0, v, depth, surface_exempt);
     return sheet;
 }
 

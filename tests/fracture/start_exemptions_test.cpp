@@ -67,7 +67,7 @@ TEST(StartExemptions, TheyPartAndAreSeenFromThenOn) {
         EXPECT_LE(report.kinetic, energy * (1 + 1e-9));
     }
     EXPECT_EQ(report.exempt_pairs, 0);
-    EXPECT_TRUE(simulation.shell().mechanics().twins.empty());
+    EXPECT_TRUE(simulation.shell().mechanics().exempt_pairs.empty());
     EXPECT_LT(std::abs(report.unexplained), 1e-6 * energy);
     EXPECT_TRUE(start_overlaps(simulation.shell()).empty());
 }

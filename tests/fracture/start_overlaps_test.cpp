@@ -51,8 +51,8 @@ TEST(StartOverlaps, NoneAtASeamThatIsNotJoined) {
     both.mesh.join(tilted_square(0, {1, 0, 0}).mesh);
     const BreakableShell sheet({both});
     EXPECT_TRUE(start_overlaps(sheet).empty());
-    EXPECT_EQ(sheet.mechanics().twins.size(), 2u);
-    EXPECT_TRUE(sheet.mechanics().lips.empty());
+    EXPECT_EQ(sheet.mechanics().exempt_pairs.size(), 2u);
+    EXPECT_TRUE(sheet.mechanics().crack_faces.empty());
     EXPECT_EQ(SheetContact(sheet.mechanics()).value(sheet.mechanics().position), 0);
 }
 

@@ -13,11 +13,11 @@ constexpr StepActivity calm{0.1, false, 0, 0.1, 10}, strike{0.1, false, 0.2, 0.1
 
 TEST(StepPace, ExplicitStepsBeginWithAStrikeStressOrACrack) {
     const StepPace pace;
-    EXPECT_EQ(pace.judge(calm), Urgency::none);
-    EXPECT_EQ(pace.judge(ringing), Urgency::none) << "what rings in flight touches nothing";
-    EXPECT_EQ(pace.judge(strike), Urgency::strike);
-    EXPECT_EQ(pace.judge(stressed), Urgency::stress);
-    EXPECT_EQ(pace.judge(cracking), Urgency::crack);
+    EXPECT_EQ(pace.urgency_of(calm), Urgency::none);
+    EXPECT_EQ(pace.urgency_of(ringing), Urgency::none) << "what rings in flight touches nothing";
+    EXPECT_EQ(pace.urgency_of(strike), Urgency::strike);
+    EXPECT_EQ(pace.urgency_of(stressed), Urgency::stress);
+    EXPECT_EQ(pace.urgency_of(cracking), Urgency::crack);
 }
 
 // A small fragment that lands has little of the largest energy of the run, even if the energy is small by
@@ -27,7 +27,7 @@ TEST(StepPace, WhatIsMuchIsOfTheLargestEnergy) {
     StepActivity large = calm;
     large.energy = 1000;
     pace.implicit_finished(large, true);
-    EXPECT_EQ(pace.judge(strike), Urgency::none);
+    EXPECT_EQ(pace.urgency_of(strike), Urgency::none);
 }
 
 /// Makes explicit steps, four to a whole one, until implicit ones shall follow. Returns the number of whole
@@ -41,7 +41,7 @@ int whole_steps_until_quiet(StepPace& pace, const StepActivity& step) {
 
 TEST(StepPace, ExplicitStepsEndWhenNothingHasHappenedForSomeWholeSteps) {
     StepPace pace;
-    pace.goes_explicit();
+    pace.begin_explicit();
     for (int i = 0; i < 10; ++i) EXPECT_FALSE(pace.explicit_finished(cracking, true));
     EXPECT_FALSE(pace.explicit_finished(strike, false));
     EXPECT_FALSE(pace.explicit_finished(ringing, true)) << "it has struck since the last whole step";
@@ -51,10 +51,10 @@ TEST(StepPace, ExplicitStepsEndWhenNothingHasHappenedForSomeWholeSteps) {
 // A shard that lies on a slope has all its energy stored in contact, in every step.
 TEST(StepPace, ExplicitStepsEndWhereSomethingLiesOrIsPressed) {
     StepPace pace;
-    pace.goes_explicit();
+    pace.begin_explicit();
     const StepActivity lies{0.1, false, 10, 0, 10}, bounces{0.1, false, 9, 0, 10};
     EXPECT_EQ(whole_steps_until_quiet(pace, lies), 4);
-    pace.goes_explicit();
+    pace.begin_explicit();
     for (int i = 0; i < 10; ++i) {
         EXPECT_FALSE(pace.explicit_finished(lies, true));
         EXPECT_FALSE(pace.explicit_finished(bounces, false));
@@ -65,35 +65,35 @@ TEST(StepPace, ExplicitStepsEndWhereSomethingLiesOrIsPressed) {
 // impact.
 TEST(StepPace, BouncesOfLittleEnergyAreNoBlows) {
     StepPace pace(0.5);
-    EXPECT_EQ(pace.judge(strike), Urgency::none);
-    pace.goes_explicit();
+    EXPECT_EQ(pace.urgency_of(strike), Urgency::none);
+    pace.begin_explicit();
     EXPECT_EQ(whole_steps_until_quiet(pace, strike), 4);
 }
 
 // Remaining vibrations are damped by the first implicit steps; this dissipation is no impact.
 TEST(StepPace, FirstImplicitStepsCalmWhatRings) {
     StepPace pace;
-    pace.goes_explicit();
+    pace.begin_explicit();
     for (int i = 0; i < 3; ++i) {
-        EXPECT_EQ(pace.judge(strike), Urgency::none);
-        EXPECT_EQ(pace.judge(cracking), Urgency::crack) << "but for what fails";
+        EXPECT_EQ(pace.urgency_of(strike), Urgency::none);
+        EXPECT_EQ(pace.urgency_of(cracking), Urgency::crack) << "but for what fails";
         pace.implicit_finished(strike, true);
     }
-    EXPECT_EQ(pace.judge(strike), Urgency::strike);
+    EXPECT_EQ(pace.urgency_of(strike), Urgency::strike);
 }
 
 // If implicit steps turn out urgent at once, again and again, each further attempt is likely to be wasted.
 TEST(StepPace, TrialsInVainAreMadeLessOften) {
     StepPace pace;
-    pace.goes_explicit();
+    pace.begin_explicit();
     for (const int quiet : {4, 8, 16, 32, 64, 64}) {
         EXPECT_EQ(whole_steps_until_quiet(pace, calm), quiet);
         pace.implicit_finished(calm, true);
-        pace.goes_explicit();
+        pace.begin_explicit();
     }
     whole_steps_until_quiet(pace, calm);
     for (int i = 0; i < 10; ++i) pace.implicit_finished(calm, true);
-    pace.goes_explicit();
+    pace.begin_explicit();
     EXPECT_EQ(whole_steps_until_quiet(pace, calm), 4) << "the last trial was not in vain";
 }
 
@@ -102,20 +102,20 @@ TEST(StepPace, TrialsInVainAreMadeLessOften) {
 TEST(StepPace, ImplicitStepsGoOnForSomeWholeStepsWhereExplicitOnesCannot) {
     StepPace pace;
     for (const int whole_steps : {4, 8, 16, 32, 64, 64}) {
-        pace.goes_explicit();
-        pace.stays_implicit();
+        pace.begin_explicit();
+        pace.begin_forced_implicit();
         for (int whole = 0; whole < whole_steps; ++whole)
             for (int i = 0; i < 4; ++i) {
-                EXPECT_TRUE(pace.is_held());
-                EXPECT_EQ(pace.judge(cracking), Urgency::none);
+                EXPECT_TRUE(pace.must_be_implicit());
+                EXPECT_EQ(pace.urgency_of(cracking), Urgency::none);
                 pace.implicit_finished(cracking, i == 3);
             }
-        EXPECT_FALSE(pace.is_held());
-        EXPECT_EQ(pace.judge(cracking), Urgency::crack);
+        EXPECT_FALSE(pace.must_be_implicit());
+        EXPECT_EQ(pace.urgency_of(cracking), Urgency::crack);
     }
-    pace.stays_implicit();
-    pace.goes_explicit();
-    EXPECT_FALSE(pace.is_held()) << "nothing else was left";
+    pace.begin_forced_implicit();
+    pace.begin_explicit();
+    EXPECT_FALSE(pace.must_be_implicit()) << "nothing else was left";
 }
 
 }  // namespace

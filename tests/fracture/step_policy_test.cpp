@@ -9,7 +9,7 @@ namespace sherd {
 namespace {
 
 const Attempt unsolved_step{{Outcome::unsolved}, Urgency::unsolved}, cracked_step{{}, Urgency::crack},
-    failed_step{{Outcome::failed, "why"}, Urgency::overwhelmed};
+    failed_step{{Outcome::failed, "why"}, Urgency::explicit_failed};
 
 SimulationOptions policy_options(bool alternates) {
     SimulationOptions options;
@@ -63,14 +63,15 @@ TEST(StepPolicy, GoesExplicitAndBackWhereThatFails) {
     EXPECT_EQ(policy.choice(), (SchemeChoice{Scheme::explicit_differences, true}));
     EXPECT_EQ(policy.size(), 64);
     EXPECT_EQ(report.urgency, Urgency::crack);
-    EXPECT_EQ(policy.urgency(failed_step.result), Urgency::overwhelmed);
+    EXPECT_EQ(policy.urgency(failed_step.result), Urgency::explicit_failed);
 
     policy.begin_step();
     ASSERT_TRUE(policy.retry(failed_step, report));
     EXPECT_FALSE(policy.is_explicit());
     EXPECT_EQ(policy.size(), 1024);
-    EXPECT_EQ(report.urgency, Urgency::overwhelmed);
-    EXPECT_EQ(policy.judge({2, true, 0, 0, 1}), Urgency::none) << "explicit steps would fail again at once";
+    EXPECT_EQ(report.urgency, Urgency::explicit_failed);
+    EXPECT_EQ(policy.urgency_of({2, true, 0, 0, 1}), Urgency::none)
+        << "explicit steps would fail again at once";
 
     EXPECT_EQ(count_halvings(policy), StepSize::most_halvings);
     EXPECT_EQ(policy.choice(), (SchemeChoice{Scheme::explicit_differences, false})) << "the last resort";

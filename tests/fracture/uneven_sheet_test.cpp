@@ -11,7 +11,7 @@
 #include "meshops/generate.h"
 #include "tests/support/advanced_sheet.h"
 #include "tests/support/materials.h"
-#include "tests/support/thrown_by.h"
+#include "tests/support/message_thrown_by.h"
 
 namespace sherd {
 namespace {
@@ -84,7 +84,7 @@ RC_GTEST_PROP(UnevenSheet, IsAsThickAsBeforeInEachPlaceWhateverCracks, ()) {
     test::Advances advances(sheet, seed + 1);
     for (int i = 0; i < 20; ++i) {
         const auto advanced = advances.next();
-        if (advanced && advances.flips_a_coin()) advances.fail(advanced->halfedge);
+        if (advanced && advances.random_bool()) advances.fail(advanced->halfedge);
     }
     const Shell& shell = sheet.mechanics();
     for (Index v = 0; v < static_cast<Index>(shell.rest.cols()); ++v)
@@ -93,7 +93,7 @@ RC_GTEST_PROP(UnevenSheet, IsAsThickAsBeforeInEachPlaceWhateverCracks, ()) {
 
 TEST(UnevenSheet, RefusesAThicknessThatIsMissingOrNone) {
     SheetInput input = tapered_strip();
-    const auto message = [&] { return test::thrown_by([&] { BreakableShell({input}); }); };
+    const auto message = [&] { return test::message_thrown_by([&] { BreakableShell({input}); }); };
     for (const double bad : {0.0, -1e-3, std::nan("")}) {
         input.thickness[4] = bad;
         EXPECT_NE(message().find("sheet 0: the thickness of vertex 4, "), std::string::npos) << message();

@@ -19,10 +19,10 @@ FILES_WITHOUT_CIRCLES = ("app/scene",)
 # Folders that must not include from others, not even indirectly.
 APART = {"app/scene/toml": ["app/scene/read", "app/scene/build"], "app/scene/read": ["app/scene/build"],
          "app/recording": ["app/scene", "app/run"], "app/files": ["app/recording", "app/scene"]}
-# Calls that print. Only the folders of MAY_PRINT have them: app/words, whose print.h makes no run fail when a stream
+# Calls that print. Only the folders of MAY_PRINT have them: app/messages, whose print.h makes no run fail when a stream
 # does, and the examples, which are programs of their own.
 PRINTS = re.compile(r"fmt::print\((?!out,)|std::f?puts|std::f?printf|std::cout|std::cerr|fflush\(stderr\)")
-MAY_PRINT = ("app/words", "app/examples")
+MAY_PRINT = ("app/messages", "app/examples")
 LICENCE = "SPDX-License-Identifier: GPL-3.0-or-later"
 MOST_LINES = 600
 
@@ -68,7 +68,7 @@ def violations_of_streams(file, lines):
         return
     for number, line in enumerate(lines, 1):
         if PRINTS.search(line):
-            yield f"{file}:{number}: only app/words/print.h writes to standard streams"
+            yield f"{file}:{number}: only app/messages/print.h writes to standard streams"
 
 
 def included_by(top, folder, name_of):
@@ -211,7 +211,7 @@ class House(unittest.TestCase):
         self.assertEqual(len(self.found_in(core__b='#include "a.h"')), 1)
 
     def test_prints_that_may_throw_are_found(self):
-        self.assertEqual(self.found_in(app__words__print='std::fputs("", stderr);'), [])
+        self.assertEqual(self.found_in(app__messages__print='std::fputs("", stderr);'), [])
         self.assertEqual(len(self.found_in(app__run='fmt::print(stderr, "");')), 1)
         self.assertEqual(len(self.found_in(app__run='std::cout << "";')), 1)
 

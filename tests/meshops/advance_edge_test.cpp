@@ -37,7 +37,7 @@ class Path {
         points.push_back(position(mesh, tip));
         path.insert(tip);
         options.snap = snap;
-        options.kept.keeps_place = [this](Vertex v) { return path.contains(v); };
+        options.kept.is_fixed_vertex = [this](Vertex v) { return path.contains(v); };
         options.kept.is_line = [this](Edge e) { return edges.contains(e); };
     }
     Path(const Path&) = delete;

@@ -70,7 +70,7 @@ TEST(Attributes, OfACopyOfAVertexAreThoseOfTheVertex) {
             const auto [values, exists] = find_property(mesh, attribute);
             ASSERT_TRUE(exists) << attribute.property;
             if constexpr (std::same_as<Element, Vertex> && std::equality_comparable<Value>) {
-                for (const Born<Vertex>& copy : change.vertices) {
+                for (const WithParents<Vertex>& copy : change.vertices) {
                     EXPECT_EQ(values[copy.element], values[copy.parent()]) << attribute.property;
                 }
             }

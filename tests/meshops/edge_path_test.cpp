@@ -11,7 +11,7 @@
 #include "meshops/generate.h"
 #include "meshops/mesh_measures.h"
 #include "tests/support/mesh_shapes.h"
-#include "tests/support/thrown_by.h"
+#include "tests/support/message_thrown_by.h"
 
 namespace sherd::test {
 namespace {
@@ -41,7 +41,7 @@ std::set<std::uint32_t> ends_of(const Mesh& mesh, const std::vector<Edge>& path)
 }
 
 std::string message_of(const Mesh& mesh, const std::vector<Vector3d>& line) {
-    return thrown_by([&] { edge_path(mesh, line); });
+    return message_thrown_by([&] { edge_path(mesh, line); });
 }
 
 TEST(EdgePath, FollowsMeshLinesExactly) {

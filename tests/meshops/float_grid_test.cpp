@@ -7,8 +7,8 @@
 #include <fstream>
 
 #include "meshops/error.h"
+#include "tests/support/message_thrown_by.h"
 #include "tests/support/temporary_directory.h"
-#include "tests/support/thrown_by.h"
 #include "tests/support/vdb_file.h"
 
 namespace sherd::test {
@@ -32,7 +32,7 @@ GridSamples sample(const std::filesystem::path& file, const std::string& name,
 }
 
 std::string message_of(const std::filesystem::path& file, const std::string& name = "") {
-    return thrown_by([&] { sample(file, name, {Vector3d::Zero()}); });
+    return message_thrown_by([&] { sample(file, name, {Vector3d::Zero()}); });
 }
 
 class FloatGrid : public testing::Test {

@@ -37,7 +37,7 @@ void expect_like_new(MovingDelaunay& moved, const SurfacePoints& points) {
 
 // Otherwise a generated mesh would differ from a new triangulation of its points, or depend on how they
 // moved. Steps from a hundredth of an edge to ones that invert triangles.
-TEST(MovingDelaunay, IsTheTriangulationMadeAnew) {
+TEST(MovingDelaunay, IsTheTriangulationFromScratch) {
     const Plane plane;
     test::Random random(1);
     for (const bool creased : {false, true}) {

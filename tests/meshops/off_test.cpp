@@ -7,13 +7,13 @@
 
 #include "meshops/error.h"
 #include "meshops/polygon_soup.h"
-#include "tests/support/thrown_by.h"
+#include "tests/support/message_thrown_by.h"
 
 namespace sherd::test {
 namespace {
 
 std::string off_failure(const std::string& content) {
-    return thrown_by([&] { check_polygon_soup(parse_off("a.off", content)); });
+    return message_thrown_by([&] { check_polygon_soup(parse_off("a.off", content)); });
 }
 
 const std::vector<Point> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};

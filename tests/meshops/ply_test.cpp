@@ -13,9 +13,9 @@
 #include "meshops/polygon_soup.h"
 #include "meshops/read_mesh.h"
 #include "meshops/write_mesh.h"
+#include "tests/support/message_thrown_by.h"
 #include "tests/support/replaced.h"
 #include "tests/support/temporary_directory.h"
-#include "tests/support/thrown_by.h"
 
 namespace sherd::test {
 namespace {
@@ -31,7 +31,7 @@ PolygonSoup parse(const std::string& content) {
 }
 
 std::string failure(const std::string& content) {
-    return thrown_by([&] { check_polygon_soup(parse(content)); });
+    return message_thrown_by([&] { check_polygon_soup(parse(content)); });
 }
 
 TEST(Ply, EachMistakeOfAHeaderIsNamedWithItsLine) {
@@ -173,13 +173,13 @@ TEST(Ply, PropertiesOfVerticesAreReadByName) {
     EXPECT_EQ(parse_ply_property("a.ply", with, "q"), (std::vector<double>{7, 8, 9}));
     EXPECT_EQ(parse_ply_property("a.ply", with, "x"), (std::vector<double>{0, 1, 0}));
     for (const char* name : {"thick", "n"})
-        EXPECT_NE(thrown_by([&] { parse_ply_property("a.ply", with, name); })
+        EXPECT_NE(message_thrown_by([&] { parse_ply_property("a.ply", with, name); })
                       .find("a.ply:4: element vertex of the PLY file has no number `" + std::string(name) +
                             "`; it has x, y, z, q"),
                   std::string::npos);
     const TemporaryDirectory directory;
     EXPECT_EQ(read_vertex_property(directory.write("a.ply", with), "q").back(), 9);
-    EXPECT_NE(thrown_by([&] { read_vertex_property("a.obj", "q"); }).find("a.obj: only a PLY file"),
+    EXPECT_NE(message_thrown_by([&] { read_vertex_property("a.obj", "q"); }).find("a.obj: only a PLY file"),
               std::string::npos);
 }
 

@@ -8,9 +8,9 @@
 #include "meshops/error.h"
 #include "meshops/generate.h"
 #include "tests/support/finite_differences.h"
+#include "tests/support/message_thrown_by.h"
 #include "tests/support/random_shapes.h"
 #include "tests/support/temporary_directory.h"
-#include "tests/support/thrown_by.h"
 #include "tests/support/vdb_file.h"
 
 namespace sherd::test {
@@ -57,7 +57,7 @@ TEST(SignedDistanceGrid, AMeshOfASphereIsASphere) {
 // OpenVDB's own error gives no remedy.
 TEST(SignedDistanceGrid, VoxelsThatOpenVdbDoesNotTakeAreNamed) {
     const Mesh small = generate_sphere(2e-4, {.edge_length = 5e-5});
-    EXPECT_EQ(thrown_by([&] { SignedDistanceGrid::of_mesh(small, 1e-5, 1e-5); }),
+    EXPECT_EQ(message_thrown_by([&] { SignedDistanceGrid::of_mesh(small, 1e-5, 1e-5); }),
               "its voxels of 1e-05 m are finer than OpenVDB allows: make them larger, 2e-05 m at least");
     EXPECT_NEAR(SignedDistanceGrid::of_mesh(small, SignedDistanceGrid::finest, 1e-5).volume(),
                 4.0 / 3 * 3.14159265 * 8e-12, 2e-12);
@@ -123,13 +123,15 @@ TEST(SignedDistanceGrid, VoxelsOfALevelSetAreTakenAsTheyAre) {
 TEST(SignedDistanceGrid, WhatIsNoSolidIsRefused) {
     const TemporaryDirectory directory;
     const auto file = write_sphere(directory, openvdb::GRID_FOG_VOLUME);
-    const std::string fog = thrown_by([&] { SignedDistanceGrid::of_level_set(file, "ball", 1, 0.002); });
+    const std::string fog =
+        message_thrown_by([&] { SignedDistanceGrid::of_level_set(file, "ball", 1, 0.002); });
     EXPECT_NE(fog.find("ball.vdb: its grid 'ball' is of class 'fog volume'"), std::string::npos) << fog;
     EXPECT_NE(fog.find("needs a level set"), std::string::npos) << fog;
-    const std::string fine = thrown_by([&] { SignedDistanceGrid::of_mesh(sphere_mesh(), 1e-5, 0.002); });
+    const std::string fine =
+        message_thrown_by([&] { SignedDistanceGrid::of_mesh(sphere_mesh(), 1e-5, 0.002); });
     EXPECT_NE(fine.find("make them larger"), std::string::npos) << fine;
     const Mesh tube = generate_cylinder(0.05, 0.1, {.edge_length = 0.01});
-    const std::string open = thrown_by([&] { SignedDistanceGrid::of_mesh(tube, voxel, 0.002); });
+    const std::string open = message_thrown_by([&] { SignedDistanceGrid::of_mesh(tube, voxel, 0.002); });
     EXPECT_NE(open.find("it is open"), std::string::npos) << open;
 }
 
@@ -146,7 +148,8 @@ TEST(SignedDistanceGrid, ADamagedTransformIsRefused) {
         for (std::size_t vector = 0; vector < 6; ++vector)
             damaged.replace(at + vector * size, size, size, byte);
         directory.write("ball.vdb", damaged);
-        const std::string message = thrown_by([&] { SignedDistanceGrid::of_level_set(file, "", 1, 0.002); });
+        const std::string message =
+            message_thrown_by([&] { SignedDistanceGrid::of_level_set(file, "", 1, 0.002); });
         EXPECT_NE(message.find("ball.vdb: "), std::string::npos) << message;
     }
 }
@@ -166,7 +169,7 @@ TEST(SignedDistanceGrid, VeryOblongVoxelsAreRefused) {
             EXPECT_NO_THROW(read());
             continue;
         }
-        const std::string message = thrown_by(read);
+        const std::string message = message_thrown_by(read);
         EXPECT_NE(message.find("ball.vdb: its voxels are 6.4 m long and 0.1 m wide"), std::string::npos)
             << message;
     }

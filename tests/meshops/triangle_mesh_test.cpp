@@ -10,7 +10,7 @@
 
 #include "meshops/error.h"
 #include "meshops/mesh_measures.h"
-#include "tests/support/thrown_by.h"
+#include "tests/support/message_thrown_by.h"
 
 namespace sherd::test {
 namespace {
@@ -24,7 +24,7 @@ const std::vector<Eigen::Vector3d> corner_points{{0, 0, 0}, {1, 0, 0},  {1, 1, 0
 std::string message_of(const Triangles& triangles, std::size_t used,
                        std::vector<Eigen::Vector3d> positions = corner_points) {
     positions.resize(used);
-    return thrown_by([&] { triangle_mesh(positions, triangles); });
+    return message_thrown_by([&] { triangle_mesh(positions, triangles); });
 }
 
 TEST(TriangleMesh, KeepsNumbersAndPlaces) {

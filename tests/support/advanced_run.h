@@ -38,7 +38,7 @@ inline std::vector<Snapshot> advanced_frames(unsigned shape, unsigned seed, cons
             const auto advanced = advances.next();
             if (!advanced) continue;
             fragments.follow(advanced->change.cracks.topology);
-            if (advances.flips_a_coin()) advances.fail(advanced->halfedge);
+            if (advances.random_bool()) advances.fail(advanced->halfedge);
         }
         fragments.update(sheet.mesh(), sheet.face_areas());
     }

@@ -38,7 +38,7 @@ inline SheetInput directed_input(unsigned shape, unsigned seed) {
 
 /// Returns the sheet rebuilt from its present mesh and thickness. Edges that have failed without opening
 /// fail.
-inline BreakableShell made_anew(const BreakableShell& sheet, SheetInput input) {
+inline BreakableShell rebuilt(const BreakableShell& sheet, SheetInput input) {
     input.mesh = sheet.mesh();
     input.axes.assign(sheet.axes().begin(), sheet.axes().end());
     input.strength.factors.clear();
@@ -77,7 +77,7 @@ class Advances {
         if (sheet.cracks().state(edge) != EdgeState::interior) return std::nullopt;
         return sheet.fail(std::array{edge});
     }
-    bool flips_a_coin() { return random.below(2) == 0; }
+    bool random_bool() { return random.below(2) == 0; }
 
   private:
     Vertex chosen_tip() {

@@ -20,7 +20,7 @@ inline Snapshot whole_sheet(const Positions& position, const std::vector<std::ar
         area.push_back(ab.cross(ac).norm() / 2);
         for (const Index corner : {a, b, c}) frame.mass[corner] += area.back() / 3;
     }
-    frame.rest = unbroken_mesh(position, faces, area, std::vector<double>(faces.size(), 1e-3));
+    frame.rest = unfractured_mesh(position, faces, area, std::vector<double>(faces.size(), 1e-3));
     frame.position = position;
     frame.velocity = Positions::Zero(3, position.cols());
     for (Index v = 0; v < position.cols(); ++v) frame.original.push_back(v);

@@ -31,7 +31,7 @@ inline std::vector<std::array<Index, 3>> strip_triangles(int count) {
 inline Obstacle deforming(const std::vector<Positions>& samples,
                           const std::vector<std::array<Index, 3>>& triangles, double interval,
                           bool smooth = false) {
-    Obstacle obstacle = test::obstacle(BareSurface{});
+    Obstacle obstacle = test::obstacle(OpenSurface{});
     obstacle.surface = std::make_shared<ColliderSurface>(collider_surface(samples[0], triangles, true));
     Deformation deformation;
     for (const Positions& sample : samples) {

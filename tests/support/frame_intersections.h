@@ -22,7 +22,8 @@ inline Mesh frame_mesh(const Snapshot& frame) {
 /// Pairs of faces of a frame that intersect beyond what neighbours share.
 struct FrameIntersections {
     std::vector<std::array<Face, 2>> passing;  ///< through each other: must be empty
-    std::size_t lips = 0;  ///< at a split vertex, where crack faces (lips) coincide until they separate
+    std::size_t crack_faces =
+        0;  ///< at a split vertex, where crack faces (lips) coincide until they separate
 };
 
 /// Finds the intersections by exact predicates.
@@ -33,7 +34,7 @@ inline FrameIntersections frame_intersections(const Snapshot& frame) {
         for (const Index p : frame.faces[pair[0]])
             for (const Index q : frame.faces[pair[1]]) split |= frame.original[p] == frame.original[q];
         if (split)
-            ++found.lips;
+            ++found.crack_faces;
         else
             found.passing.push_back(pair);
     }

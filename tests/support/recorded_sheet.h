@@ -50,8 +50,8 @@ inline Shell recorded_sheet(const Snapshot& frame) {
     Shell shell = bare_sheet(rest, frame.position, frame.faces, thickness, body);
     for (const std::vector<Index>& all : copies)
         for (std::size_t i = 0; i < all.size(); ++i)
-            for (std::size_t j = 0; j < i; ++j) shell.twins.push_back({all[j], all[i]});
-    std::sort(shell.twins.begin(), shell.twins.end());
+            for (std::size_t j = 0; j < i; ++j) shell.exempt_pairs.push_back({all[j], all[i]});
+    std::sort(shell.exempt_pairs.begin(), shell.exempt_pairs.end());
     return shell;
 }
 

@@ -35,7 +35,7 @@ inline void expect_same(const StepReport& a, const StepReport& b) {
     for (const auto member :
          {&StepReport::time, &StepReport::step_size, &StepReport::kinetic, &StepReport::bending,
           &StepReport::membrane, &StepReport::gravity, &StepReport::contact, &StepReport::peak_strain,
-          &StepReport::lip_overlap, &StepReport::obstacle_overlap, &StepReport::peak_stress,
+          &StepReport::crack_face_overlap, &StepReport::obstacle_overlap, &StepReport::peak_stress,
           &StepReport::peak_bending_strain, &StepReport::peak_overload})
         EXPECT_TRUE(same(a.*member, b.*member));
     for (const auto member : balance_parts) EXPECT_TRUE(same(a.*member, b.*member));
@@ -79,21 +79,21 @@ inline void expect_same(const CrackEvents& a, const CrackEvents& b) {
         EXPECT_EQ(std::tie(x.time, x.step, x.vertex, x.created),
                   std::tie(y.time, y.step, y.vertex, y.created));
     }
-    ASSERT_EQ(a.births.size(), b.births.size());
-    for (std::size_t i = 0; i < a.births.size(); ++i) {
-        const FragmentBirth &x = a.births[i], &y = b.births[i];
+    ASSERT_EQ(a.fragment_splits.size(), b.fragment_splits.size());
+    for (std::size_t i = 0; i < a.fragment_splits.size(); ++i) {
+        const FragmentSplit &x = a.fragment_splits[i], &y = b.fragment_splits[i];
         EXPECT_EQ(std::tie(x.time, x.step, x.fragment, x.parent),
                   std::tie(y.time, y.step, y.fragment, y.parent));
     }
-    ASSERT_EQ(a.vertex_births.size(), b.vertex_births.size());
-    for (std::size_t i = 0; i < a.vertex_births.size(); ++i) {
-        const VertexBirth &x = a.vertex_births[i], &y = b.vertex_births[i];
+    ASSERT_EQ(a.vertex_insertions.size(), b.vertex_insertions.size());
+    for (std::size_t i = 0; i < a.vertex_insertions.size(); ++i) {
+        const VertexInsertion &x = a.vertex_insertions[i], &y = b.vertex_insertions[i];
         EXPECT_EQ(std::tie(x.time, x.step, x.created, x.parents, x.weights),
                   std::tie(y.time, y.step, y.created, y.parents, y.weights));
     }
-    ASSERT_EQ(a.face_births.size(), b.face_births.size());
-    for (std::size_t i = 0; i < a.face_births.size(); ++i) {
-        const FaceBirth &x = a.face_births[i], &y = b.face_births[i];
+    ASSERT_EQ(a.face_insertions.size(), b.face_insertions.size());
+    for (std::size_t i = 0; i < a.face_insertions.size(); ++i) {
+        const FaceInsertion &x = a.face_insertions[i], &y = b.face_insertions[i];
         EXPECT_EQ(std::tie(x.time, x.step, x.created, x.parent),
                   std::tie(y.time, y.step, y.created, y.parent));
     }

@@ -21,7 +21,7 @@ void visit_arrays_of(const Snapshot& frame, Visit visit) {
     };
     visit_arrays(frame, pass_on);
     visit_rest_arrays(frame.rest, pass_on);
-    pass_bytes("unbroken faces", frame.rest.unbroken_faces);
+    pass_bytes("unbroken faces", frame.rest.unfractured_faces);
     visit_fields(frame.fields, [&](const char* name, const auto& values, const FieldMeaning&) {
         pass_bytes(name, values);
     });

@@ -74,7 +74,7 @@ inline void expect_places(const TriangleSheet& old, const TriangleSheet& now, co
                           double round_off) {
     std::set<std::size_t> placed;
     for (const auto* vertices : {&change.vertices, &change.moved})
-        for (const Born<Vertex>& vertex : *vertices) {
+        for (const WithParents<Vertex>& vertex : *vertices) {
             Eigen::Vector3d place = Eigen::Vector3d::Zero();
             double sum = 0;
             EXPECT_LE(vertex.parents.size(), 3u);

@@ -35,8 +35,8 @@ inline SlitPatch slit_patch(const Shell& whole, int edges, const Material& mater
     for (Index v = 0; v < rest.cols(); ++v) {
         const bool inner = v >= patch_across && v < (patch_along - 1) * patch_across && row_of(v) > 0 &&
                            row_of(v) + 1 < patch_across;
-        const bool lip = v > whole.rest.cols();
-        patch.foreign.push_back(!inner && !lip);
+        const bool crack_face = v > whole.rest.cols();
+        patch.foreign.push_back(!inner && !crack_face);
     }
     patch.tip =
         crack_tip(patch.shell, VertexFaces(patch.shell), edges * patch_across + middle, patch.foreign);

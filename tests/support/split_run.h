@@ -26,14 +26,14 @@ inline constexpr Index a = 0, b = 1, c = 2;                   // faces
 inline constexpr Index m = 5, right_m = 7, in_c = 9, n = 10;  // vertices
 inline constexpr double density = 1000;
 
-struct Ancestors {
+struct VertexParents {
     std::array<Index, 3> parents;
     std::array<double, 3> weights;
 };
 
 /// Parents of all vertices of the run; 6, 7 and 8 are the copies of 1, m and 3.
-inline const std::vector<Ancestors>& ancestors() {
-    static const std::vector<Ancestors> all{
+inline const std::vector<VertexParents>& parents_of_vertices() {
+    static const std::vector<VertexParents> all{
         {{0, 0, 0}, {1, 0, 0}},         {{1, 1, 1}, {1, 0, 0}},        {{2, 2, 2}, {1, 0, 0}},
         {{3, 3, 3}, {1, 0, 0}},         {{4, 4, 4}, {1, 0, 0}},        {{0, 2, 0}, {0.75, 0.25, 0}},
         {{1, 1, 1}, {1, 0, 0}},         {{0, 2, 0}, {0.75, 0.25, 0}},  {{3, 3, 3}, {1, 0, 0}},
@@ -59,7 +59,7 @@ inline RecordingHeader header() {
 
 /// Interpolates the unfractured mesh's values (in columns) between the parents of a vertex.
 inline Vector3d between_parents(const Positions& values, Index vertex) {
-    const auto& [parents, weights] = ancestors()[vertex];
+    const auto& [parents, weights] = parents_of_vertices()[vertex];
     Vector3d sum = Vector3d::Zero();
     for (int k = 0; k < 3; ++k) sum += weights[k] * values.col(parents[k]);
     return sum;
@@ -146,7 +146,7 @@ inline void add_edges_of(Snapshot& frame, const Topology& topology) {
 }
 
 inline RestMesh rest(const RecordingHeader& header, const Topology& topology, std::size_t vertices) {
-    RestMesh rest = recording_format::unbroken_mesh(header);
+    RestMesh rest = recording_format::unfractured_mesh(header);
     rest.position.resize(3, static_cast<Eigen::Index>(vertices));
     rest.vertex_parents.clear();
     rest.vertex_weights.clear();
@@ -157,8 +157,8 @@ inline RestMesh rest(const RecordingHeader& header, const Topology& topology, st
     for (std::size_t v = 0; v < vertices; ++v) {
         rest.position.col(static_cast<Eigen::Index>(v)) =
             between_parents(header.rest_position, static_cast<Index>(v));
-        rest.vertex_parents.push_back(ancestors()[v].parents);
-        rest.vertex_weights.push_back(ancestors()[v].weights);
+        rest.vertex_parents.push_back(parents_of_vertices()[v].parents);
+        rest.vertex_weights.push_back(parents_of_vertices()[v].weights);
     }
     const std::vector<Index> original = originals(vertices);
     for (std::size_t f = 0; f < topology.faces.size(); ++f) {
@@ -197,16 +197,16 @@ inline Snapshot snapshot(const RecordingHeader& header, std::size_t number) {
 
 inline std::vector<CrackEvents> events() {
     std::vector<CrackEvents> events(5);
-    events[1].vertex_births = {{0.1, 10, m, {0, 2, 0}, {0.75, 0.25, 0}}};
-    events[1].face_births = {{0.1, 10, 3, a}, {0.1, 10, 4, b}};
+    events[1].vertex_insertions = {{0.1, 10, m, {0, 2, 0}, {0.75, 0.25, 0}}};
+    events[1].face_insertions = {{0.1, 10, 3, a}, {0.1, 10, 4, b}};
     events[2].failures = {{0.2, 20, 0, 8, {1, 5}, 1, 9, 1e7, 2}, {0.2, 20, 0, 9, {5, 3}, 1, 9, 1e7, 3}};
     events[2].openings = {{0.2, 20, 8, 10}, {0.2, 20, 9, 11}};
     events[2].splits = {{0.2, 20, 1, 6}, {0.2, 20, 5, 7}, {0.2, 20, 3, 8}};
-    events[2].births = {{0.2, 20, 1, 0}};
-    events[2].vertex_births = {{0.2, 20, in_c, {6, 4, 2}, {0.5, 0.25, 0.25}}};
-    events[2].face_births = {{0.2, 20, 5, c}, {0.2, 20, 6, c}};
-    events[3].vertex_births = {{0.3, 30, n, {7, 2, 7}, {0.5, 0.5, 0}}};
-    events[3].face_births = {{0.3, 30, 7, 3}, {0.3, 30, 8, 4}};
+    events[2].fragment_splits = {{0.2, 20, 1, 0}};
+    events[2].vertex_insertions = {{0.2, 20, in_c, {6, 4, 2}, {0.5, 0.25, 0.25}}};
+    events[2].face_insertions = {{0.2, 20, 5, c}, {0.2, 20, 6, c}};
+    events[3].vertex_insertions = {{0.3, 30, n, {7, 2, 7}, {0.5, 0.5, 0}}};
+    events[3].face_insertions = {{0.3, 30, 7, 3}, {0.3, 30, 8, 4}};
     return events;
 }
 

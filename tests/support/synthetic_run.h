@@ -80,7 +80,7 @@ inline void tear(Snapshot& snapshot, Index k, CrackEvents& events) {
                                    1 + number(y + 3, k)});
         events.openings.push_back({0.25 * k, k, edge, created});
     }
-    events.births.push_back({0.25 * k, k, k, k - 1});
+    events.fragment_splits.push_back({0.25 * k, k, k, k - 1});
 }
 
 inline void add_edges(Snapshot& snapshot) {
@@ -146,7 +146,7 @@ inline StepReport step(Index i) {
     report.stage_cap_reached = i % 11 == 0;
     report.contacts = 3 * i;
     report.obstacle_overlap = 2e-6 * i;
-    report.lip_overlap = 1e-6 * i;
+    report.crack_face_overlap = 1e-6 * i;
     report.fragments = 1 + i / 10;
     report.peak_strain = 2.0 + std::sin(i);
     report.peak_stress = 3e7 + std::sin(i);
@@ -201,7 +201,7 @@ inline void add_tips(SyntheticRun& run) {
 
 /// Gives all frames the unfractured mesh of the header.
 inline void set_rest(SyntheticRun& run) {
-    for (Snapshot& frame : run.frames) frame.rest = recording_format::unbroken_mesh(run.header);
+    for (Snapshot& frame : run.frames) frame.rest = recording_format::unfractured_mesh(run.header);
 }
 
 inline SyntheticRun synthetic_run() {
@@ -250,7 +250,7 @@ inline void record(const SyntheticRun& run, const std::filesystem::path& file) {
 }
 
 /// Removes the energy balance from a recording, as in recordings of old versions.
-inline void forget_balance(const std::filesystem::path& file) {
+inline void remove_balance(const std::filesystem::path& file) {
     const hdf5::Handle opened = open_to_edit(file);
     for (const std::string& name : hdf5::member_names(opened, "steps"))
         if (name == "unexplained" || name.starts_with("work_of_") || name.starts_with("lost_to_"))

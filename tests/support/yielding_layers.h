@@ -44,7 +44,7 @@ class Layers {
     }
 
     /// Curvature that remains of `curvature` when the section, which bears `moment`, is released.
-    static Vector3d kept(const Vector3d& curvature, const Vector3d& moment) {
+    static Vector3d plastic_curvature(const Vector3d& curvature, const Vector3d& moment) {
         return curvature - rigidity().inverse() * moment;
     }
 

@@ -32,17 +32,17 @@ std::string message(const ObstacleSpec& body, const ObstacleSpec& other, double 
 void require_free_bodies(const Scene& scene, const std::vector<Obstacle>& obstacles,
                          const std::vector<RigidBody>& bodies) {
     std::vector<std::string> mistakes;
-    const auto judge = [&](const ObstacleSpec& body, const ObstacleSpec& other, double deep) {
+    const auto check_pair = [&](const ObstacleSpec& body, const ObstacleSpec& other, double deep) {
         if (deep > 0) mistakes.push_back(message(body, other, deep));
     };
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         for (std::size_t o = 0; o < obstacles.size(); ++o)
-            judge(scene.bodies[b], scene.obstacles[o],
-                  depth(bodies[b], *obstacles[o].shape, obstacles[o].motion.at(0)));
+            check_pair(scene.bodies[b], scene.obstacles[o],
+                       depth(bodies[b], *obstacles[o].shape, obstacles[o].motion.at(0)));
         for (std::size_t c = 0; c < b; ++c)
-            judge(scene.bodies[b], scene.bodies[c],
-                  std::max(depth(bodies[b], *bodies[c].shape, bodies[c].pose()),
-                           depth(bodies[c], *bodies[b].shape, bodies[b].pose())));
+            check_pair(scene.bodies[b], scene.bodies[c],
+                       std::max(depth(bodies[b], *bodies[c].shape, bodies[c].pose()),
+                                depth(bodies[c], *bodies[b].shape, bodies[b].pose())));
     }
     if (!mistakes.empty()) throw Error(fmt::format("{}", fmt::join(mistakes, "\n")));
 }

@@ -14,11 +14,11 @@
 #include "app/scene/build/obstacles.h"
 #include "app/scene/build/score.h"
 #include "app/scene/build/sheet.h"
-#include "app/scene/build/sheet_parting.h"
+#include "app/scene/build/sheet_separation.h"
 #include "app/scene/build/supports.h"
 #include "app/scene/build/thickness.h"
 #include "app/scene/build/winds.h"
-#include "app/scene/build/yield_words.h"
+#include "app/scene/build/yield_message.h"
 #include "core/time/stability.h"
 #include "meshops/error.h"
 
@@ -39,7 +39,7 @@ void require_stability(const Scene& scene, const std::vector<SheetInput>& inputs
                 "{}: a sheet {} m thick does not hold this shape: where edges are shorter than the "
                 "thickness, bending outweighs stretching and the thin-shell model does not apply; make "
                 "the edges longer (edge_length, or remesh on a mesh file) or the thickness smaller",
-                scene.sheets[s].where, thickness_words(inputs[s])));
+                scene.sheets[s].where, thickness_text(inputs[s])));
     if (!mistakes.empty()) throw Error(fmt::format("{}", fmt::join(mistakes, "\n")));
 }
 
@@ -56,8 +56,8 @@ void add_obstacles(const Scene& scene, BuiltScene& built, std::vector<std::strin
     require_free_start(scene, built.inputs, built.sheets, scene.bodies, bodies, warnings);
     if (!scene.exempts_overlaps) return;
     const std::size_t first = contact.obstacles.size(), count = first + bodies.size();
-    let_sheets_overlap(built.inputs, contact.obstacles, 0, count, built.sheets);
-    let_sheets_overlap(built.inputs, bodies, first, count, built.sheets);
+    exempt_sheet_overlaps(built.inputs, contact.obstacles, 0, count, built.sheets);
+    exempt_sheet_overlaps(built.inputs, bodies, first, count, built.sheets);
 }
 
 }  // namespace
@@ -67,9 +67,9 @@ BuiltScene build_scene(const Scene& scene, std::vector<SheetInput> inputs,
     require_few_pairs(scene, inputs);
     BreakableShell all(inputs);
     BuiltScene built{std::move(inputs), std::move(all), scene.simulation};
-    built.options.stepper.shell.yields = kept_yields(scene);
+    built.options.stepper.shell.yields = plastic_yields(scene);
     require_stability(scene, built.inputs, built.sheets);
-    part_sheets(scene, built.inputs, built.sheets, warnings);
+    separate_overlapping_sheets(scene, built.inputs, built.sheets, warnings);
     add_obstacles(scene, built, warnings);
     add_supports(scene, built.inputs, built.sheets.mechanics(), built.options);
     add_loads(scene, built.inputs, built.sheets.mechanics(), built.options);

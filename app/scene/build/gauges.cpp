@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "app/words/place_words.h"
+#include "app/messages/place_text.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -35,7 +35,7 @@ void add_gauges(const Scene& scene, const Shell& mechanics, SimulationOptions& o
                 fmt::format("{}: is {:.3g} m from the nearest point of {}, as placed, {}; at most an edge "
                             "length is allowed",
                             spec.where, distance, spec.sheet.empty() ? "any sheet" : "sheet." + spec.sheet,
-                            place_words(gauge.place)));
+                            place_text(gauge.place)));
         gauge.displacement = spec.displacement;
         gauge.fields = spec.fields;
         options.gauges.push_back(gauge);

@@ -126,7 +126,7 @@ std::vector<double> edge_values(const MapSource& source, const SheetSpec& sheet,
     return std::visit([&](const auto& map) { return at_edges(map, sheet, placed, warnings); }, source);
 }
 
-std::string source_words(const MapSource& source) {
+std::string source_text(const MapSource& source) {
     if (const auto* property = std::get_if<MapProperty>(&source)) return "the property " + property->name;
     if (const auto* texture = std::get_if<MapTexture>(&source)) return texture->path.string();
     return std::get<MapGrid>(source).path.string();

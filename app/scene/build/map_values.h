@@ -21,7 +21,7 @@ std::vector<double> edge_values(const MapSource& source, const SheetSpec& sheet,
                                 std::vector<std::string>& warnings);
 
 /// Name of the source for errors: the file's name, or the property.
-std::string source_words(const MapSource& source);
+std::string source_text(const MapSource& source);
 
 /// The map from the placed mesh back to the frame of its file, in which grids are.
 Eigen::Affine3d to_file(const SheetSpec& sheet);

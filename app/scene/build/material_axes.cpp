@@ -7,9 +7,9 @@
 #include <numbers>
 #include <optional>
 
+#include "app/messages/place_text.h"
 #include "app/scene/build/axis_texture.h"
 #include "app/scene/build/texture.h"
-#include "app/words/place_words.h"
 #include "meshops/attributes.h"
 #include "meshops/error.h"
 #include "meshops/mesh_measures.h"
@@ -85,7 +85,7 @@ std::vector<Vector3d> axes_of(const AxisDirection& axis, const Mesh& mesh, const
         warnings.push_back(
             fmt::format("the axis is perpendicular to {} faces (the first: {}): there the mesh's y axis, or "
                         "z, is used instead; give a direction along the surface, or a texture",
-                        projection.replaced.size(), face_words(mesh, projection.replaced.front())));
+                        projection.replaced.size(), face_text(mesh, projection.replaced.front())));
     return axes;
 }
 
@@ -97,7 +97,7 @@ Vector3d axis_over_texture(const FaceTexture& corners, double angle, const Mesh&
     const double area = texture.determinant();
     if (!(std::abs(area) > 1e-12 * texture.col(0).norm() * texture.col(1).norm()))
         throw Error(fmt::format("the texture coordinates of {} have no area: unwrap the mesh again",
-                                face_words(mesh, face)));
+                                face_text(mesh, face)));
     const Vector3d along_u = shape.edges * Vector2d(texture(1, 1), -texture(1, 0)) / area;
     return turned(along_u.normalized(), shape.normal, area > 0 ? angle : -angle);
 }
@@ -113,7 +113,7 @@ std::vector<Vector3d> axes_of(const AxisTexture& axis, const Mesh& mesh, const E
             doubled_direction(image, axis.encoding, (corners[0] + corners[1] + corners[2]) / 3);
         if (doubled.norm() < 0.02)
             throw Error(fmt::format("{} has no direction on {}: grey, or opposite directions side by side",
-                                    axis.path.string(), face_words(mesh, face)));
+                                    axis.path.string(), face_text(mesh, face)));
         const double angle = std::atan2(doubled.y(), doubled.x()) / 2;
         axes.push_back(axis_over_texture(corners, angle, mesh, face));
     }
@@ -136,7 +136,7 @@ std::vector<Vector3d> axes_of(const AxisField&, const Mesh& mesh, const Eigen::I
                 : std::nullopt;
         if (!tangent)
             throw Error(fmt::format("the axis of {}, [{}, {}, {}], has no direction in the face's plane",
-                                    face_words(mesh, face), given.x(), given.y(), given.z()));
+                                    face_text(mesh, face), given.x(), given.y(), given.z()));
         axes.push_back(*tangent);
     }
     return axes;

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "app/words/place_words.h"
+#include "app/messages/place_text.h"
 #include "core/contact/colliders/contact_colliders.h"
 #include "core/contact/colliders/start_depth.h"
 #include "core/contact/sheets/sheet_contact.h"
@@ -61,7 +61,7 @@ std::string message(const SheetSpec& sheet, const SheetInput& input, const Obsta
         "{}: {} of {} vertices of sheet.{} start inside; the deepest, vertex {} at {}, is {:.3g} m beyond "
         "touching: move the sheet or the obstacle by that much, or make it smaller",
         obstacle.where, found.count, input.mesh.number_of_vertices(), sheet.name, found.deepest.idx(),
-        place_words(input.starts_at(found.deepest)), found.depth);
+        place_text(input.starts_at(found.deepest)), found.depth);
 }
 
 /// Faces of one sheet that start across or near to the surface of one obstacle.
@@ -149,7 +149,7 @@ std::string message(const SheetSpec& sheet, const SheetInput& input, const Obsta
     return fmt::format(
         "{}: sheet.{} starts {:.3g} m from its surface, at {}, where half its thickness is {:.3g} m: move "
         "the sheet or the obstacle by {:.3g} m, or make it smaller",
-        obstacle.where, sheet.name, found.distance, place_words(found.at), found.touching,
+        obstacle.where, sheet.name, found.distance, place_text(found.at), found.touching,
         found.touching - found.distance);
 }
 
@@ -179,14 +179,14 @@ void require_free_start(const Scene& scene, const std::vector<SheetInput>& input
     if (!mistakes.empty()) throw Error(fmt::format("{}", fmt::join(mistakes, "\n")));
 }
 
-void let_sheets_overlap(const std::vector<SheetInput>& inputs, const std::vector<Obstacle>& obstacles,
-                        std::size_t first, std::size_t all_colliders, BreakableShell& all) {
+void exempt_sheet_overlaps(const std::vector<SheetInput>& inputs, const std::vector<Obstacle>& obstacles,
+                           std::size_t first, std::size_t all_colliders, BreakableShell& all) {
     const auto meetings = surface_meetings(all, inputs.size(), obstacles);
     Index first_vertex = 0, first_face = 0;
     for (std::size_t s = 0; s < inputs.size(); ++s) {
         for (std::size_t o = 0; o < obstacles.size(); ++o) {
-            const auto let = [&](Index vertex, double depth, bool unseen) {
-                let_overlap(all.mechanics(), all_colliders, first + o, vertex, depth, unseen);
+            const auto let = [&](Index vertex, double depth, bool surface_exempt) {
+                exempt_overlap(all.mechanics(), all_colliders, first + o, vertex, depth, surface_exempt);
             };
             for (const auto& [vertex, depth] : inside(inputs[s], obstacles[o]).depths)
                 let(first_vertex + vertex, depth, obstacles[o].surface != nullptr);

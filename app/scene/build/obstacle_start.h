@@ -21,8 +21,8 @@ void require_free_start(const Scene& scene, const std::vector<SheetInput>& input
 /// Exempts such starts from contact: vertices are not pushed out of their depth at the start, and faces do
 /// not collide with the surface that they start across or near to, until they have separated (StartDepth).
 /// first: number of the first of these obstacles among all colliders.
-void let_sheets_overlap(const std::vector<SheetInput>& inputs, const std::vector<Obstacle>& obstacles,
-                        std::size_t first, std::size_t all_colliders, BreakableShell& all);
+void exempt_sheet_overlaps(const std::vector<SheetInput>& inputs, const std::vector<Obstacle>& obstacles,
+                           std::size_t first, std::size_t all_colliders, BreakableShell& all);
 
 /// Returns the faces for which require_free_start() throws, or would throw if starts were not exempt.
 std::vector<StartFault> obstacle_faults(const std::vector<SheetInput>& inputs, const BreakableShell& all,

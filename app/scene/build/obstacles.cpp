@@ -60,7 +60,7 @@ Made solid(const Mesh& mesh, double voxel, const Need& need) {
 Made make(const ObstacleMesh& spec, const Need& need, std::vector<std::string>& warnings) {
     if (spec.cache) {
         DeformingMesh made = make_deforming_mesh(spec, warnings);
-        return {std::make_shared<BareSurface>(), std::move(made.surface),
+        return {std::make_shared<OpenSurface>(), std::move(made.surface),
                 std::make_shared<Deformation>(std::move(made.deformation))};
     }
     const Mesh mesh = read_mesh(spec.file, warnings);

@@ -48,7 +48,7 @@ void warn_of_size(const SheetInput& input, const SheetSpec& sheet, std::vector<s
                     "scale = 0.001; or say how large it is: size = 0.2"
                   : "lengths are in m: is its size or scale right?";
     warnings.push_back(fmt::format("{}: sheet.{} is {:.3g} m large and {} m thick, {}; {}", sheet.where,
-                                   sheet.name, size, thickness_words(input),
+                                   sheet.name, size, thickness_text(input),
                                    large ? fmt::format("{:.0f} times its thickness", size / thickness)
                                          : "hardly more than its thickness",
                                    advice));
@@ -81,7 +81,7 @@ void warn_of_short_edges(const SheetInput& input, const SheetSpec& sheet,
         fmt::format("{}: {} of the {} edges of sheet.{} are shorter than it is thick ({} m), where the "
                     "theory of thin shells does not hold; where the sheet bends, make them longer "
                     "(edge_length, or remesh on a mesh file)",
-                    sheet.where, count, input.mesh.number_of_edges(), sheet.name, thickness_words(input)));
+                    sheet.where, count, input.mesh.number_of_edges(), sheet.name, thickness_text(input)));
 }
 
 void warn_of_tiny_edges(const SheetInput& input, const SheetSpec& sheet, std::vector<std::string>& warnings) {
@@ -214,8 +214,8 @@ double approach(std::size_t sheet, const Scene& scene, const std::vector<SheetIn
     return fastest;
 }
 
-void warn_of_long_ways(const Scene& scene, const std::vector<SheetInput>& inputs,
-                       const SimulationOptions& options, std::vector<std::string>& warnings) {
+void warn_of_long_paths(const Scene& scene, const std::vector<SheetInput>& inputs,
+                        const SimulationOptions& options, std::vector<std::string>& warnings) {
     const double step = scene.simulation.stepper.step;
     for (std::size_t s = 0; s < inputs.size(); ++s) {
         const double speed = approach(s, scene, inputs, options), edge = measure(inputs[s].mesh).mean_edge;
@@ -274,7 +274,7 @@ void warn_of_implausible(const Scene& scene, const std::vector<SheetInput>& inpu
         warn_of_long_step(inputs[s], scene.sheets[s], scene, warnings);
         warn_of_threshold(inputs[s], scene.sheets[s], warnings);
     }
-    warn_of_long_ways(scene, inputs, options, warnings);
+    warn_of_long_paths(scene, inputs, options, warnings);
     warn_of_deforming(scene, options, warnings);
     warn_of_unreachable(scene, inputs, options, warnings);
 }

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "app/words/nearest_name.h"
+#include "app/messages/nearest_name.h"
 #include "meshops/error.h"
 #include "meshops/face_groups.h"
 #include "meshops/mesh_measures.h"

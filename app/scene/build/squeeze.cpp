@@ -9,7 +9,7 @@
 #include <optional>
 #include <span>
 
-#include "app/words/moment_words.h"
+#include "app/messages/time_text.h"
 #include "fracture/mesh_inheritance.h"
 #include "meshops/mesh_measures.h"
 #include "meshops/surface_crossings.h"
@@ -201,9 +201,7 @@ Squeeze squeeze(const Between& sheet, const Obstacle& one, const Obstacle& other
 
 std::string message(const Scene& scene, const ObstacleSpec& one, const ObstacleSpec& other,
                     const std::string& sheet, double thickness, const NarrowPoint& point) {
-    const auto when = [&](double time) {
-        return moment_words(fmt::format("{:.4g}", time), scene.time_unit());
-    };
+    const auto when = [&](double time) { return time_text(fmt::format("{:.4g}", time), scene.time_unit()); };
     return fmt::format(
         "{}: by their keys the gap between obstacle.{} and obstacle.{} falls below {:.3g} m at {}, and to "
         "{:.3g} m at {}; {} is {:.3g} m thick there, and contact forces would grow without bound: keep the "

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "app/words/place_words.h"
+#include "app/messages/place_text.h"
 #include "meshops/mesh_measures.h"
 
 namespace sherd {
@@ -19,12 +19,12 @@ StartFault start_fault(FaultKind kind, Face face, const BreakableShell& all) {
 }
 
 std::string fault_place(const StartFault& fault) {
-    return fmt::format("face {} at {}", fault.face, place_words(fault.at));
+    return fmt::format("face {} at {}", fault.face, place_text(fault.at));
 }
 
-std::string fault_words(const StartFault& fault, const Scene& scene) {
+std::string fault_text(const StartFault& fault, const Scene& scene) {
     return fmt::format("face {} of sheet.{} at {}", fault.face, scene.sheets[fault.sheet].name,
-                       place_words(fault.at));
+                       place_text(fault.at));
 }
 
 }  // namespace sherd

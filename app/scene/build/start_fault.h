@@ -35,6 +35,6 @@ StartFault start_fault(FaultKind kind, Face face, const BreakableShell& all);
 std::string fault_place(const StartFault& fault);
 
 /// Returns, for example, "face 12 of sheet.bowl at (0.1, 0.02, 0.03) m".
-std::string fault_words(const StartFault& fault, const Scene& scene);
+std::string fault_text(const StartFault& fault, const Scene& scene);
 
 }  // namespace sherd

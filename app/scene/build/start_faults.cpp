@@ -3,7 +3,7 @@
 
 #include "app/scene/build/obstacle_start.h"
 #include "app/scene/build/obstacles.h"
-#include "app/scene/build/sheet_parting.h"
+#include "app/scene/build/sheet_separation.h"
 
 namespace sherd {
 

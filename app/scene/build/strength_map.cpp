@@ -22,7 +22,7 @@ std::vector<double> checked_values(const StrengthMap& map, const SheetSpec& shee
         throw Error(
             fmt::format("{} is {} at ({:.4g}, {:.4g}, {:.4g}), in the middle of edge {}; a strength needs "
                         "values of 0 or more",
-                        source_words(map.source), values[e], at.x(), at.y(), at.z(), e.idx()));
+                        source_text(map.source), values[e], at.x(), at.y(), at.z(), e.idx()));
     }
     return values;
 }

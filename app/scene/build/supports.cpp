@@ -56,15 +56,15 @@ class Holds {
         for (int axis = 0; axis < 3; ++axis)
             if (!pin.free[axis]) add(support, selected, Vector3d::Unit(axis));
     }
-    std::vector<HeldVertex> held_vertices() const {
-        std::vector<HeldVertex> held;
+    std::vector<SupportedVertex> supported_vertices() const {
+        std::vector<SupportedVertex> held;
         for (std::size_t v = 0; v < by.size(); ++v)
             if (!by[v].empty()) held.push_back({static_cast<Index>(v), by[v]});
         return held;
     }
 
   private:
-    std::vector<std::vector<Hold>> by;
+    std::vector<std::vector<SupportDirections>> by;
     std::vector<Matrix3d> freedom;
 };
 
@@ -155,7 +155,7 @@ class SupportBuilder {
         first += static_cast<Index>(inputs[sheet].mesh.number_of_vertices());
         first_face += static_cast<Index>(inputs[sheet].mesh.number_of_faces());
     }
-    void finish() { options.held = holds.held_vertices(); }
+    void finish() { options.supported_vertices = holds.supported_vertices(); }
 
   private:
     std::vector<char> selected(const PinSpec& pin) const {

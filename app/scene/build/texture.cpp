@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "app/words/place_words.h"
+#include "app/messages/place_text.h"
 #include "meshops/attributes.h"
 #include "meshops/error.h"
 
@@ -16,7 +16,7 @@ Mesh::Property_map<Face, FaceTexture> texture_coordinates(const Mesh& mesh) {
             if (!corner.allFinite())
                 throw Error(
                     fmt::format("the texture coordinates of {} are NaN or infinite: unwrap the mesh again",
-                                face_words(mesh, face)));
+                                face_text(mesh, face)));
     return texture;
 }
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "app/messages/place_text.h"
 #include "app/scene/build/map_values.h"
-#include "app/words/place_words.h"
 #include "meshops/error.h"
 #include "meshops/mesh_measures.h"
 
@@ -30,7 +30,7 @@ std::vector<double> mapped_thickness(const ThicknessMap& map, const SheetSpec& s
             throw Error(fmt::format(
                 "{} is {:.4g} at vertex {}, at {}, which makes the sheet {:.4g} m thick: it needs "
                 "a thickness above 0",
-                source_words(map.source), value, v.idx(), place_words(position(placed, v)), at));
+                source_text(map.source), value, v.idx(), place_text(position(placed, v)), at));
     }
     return thickness;
 }
@@ -60,7 +60,7 @@ void set_thickness(const SheetSpec& sheet, SheetInput& input, std::vector<std::s
     input.material.thickness = mean_by_area(input.mesh, input.thickness);
 }
 
-std::string thickness_words(const SheetInput& input) {
+std::string thickness_text(const SheetInput& input) {
     const double thinnest = input.thinnest(), thickest = input.thickest();
     return thinnest == thickest ? fmt::format("{:.3g}", thinnest)
                                 : fmt::format("{:.3g} to {:.3g}", thinnest, thickest);

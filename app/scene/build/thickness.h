@@ -14,7 +14,7 @@ namespace sherd {
 void set_thickness(const SheetSpec& sheet, SheetInput& input, std::vector<std::string>& warnings);
 
 /// The thickness in words without its unit: "0.003", or "0.002 to 0.006".
-std::string thickness_words(const SheetInput& input);
+std::string thickness_text(const SheetInput& input);
 
 /// The sheet's material with its largest thickness.
 Material thickest_material(const SheetInput& input);

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/messages/nearest_name.h"
 #include "app/scene/keys/key.h"
 #include "app/scene/read/fields.h"
 #include "app/scene/read/forces.h"
@@ -23,7 +24,6 @@
 #include "app/scene/toml/override.h"
 #include "app/scene/toml/settings.h"
 #include "app/scene/toml/toml_file.h"
-#include "app/words/nearest_name.h"
 #include "meshops/error.h"
 
 namespace sherd {

@@ -7,8 +7,8 @@
 #include <fstream>
 #include <set>
 
+#include "app/messages/nearest_name.h"
 #include "app/scene/toml/toml_file.h"
-#include "app/words/nearest_name.h"
 #include "meshops/error.h"
 
 namespace sherd {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "app/words/nearest_name.h"
+#include "app/messages/nearest_name.h"
 
 namespace sherd {
 namespace {

@@ -9,7 +9,7 @@
 namespace sherd {
 
 /// Second, stiffer spring that acts in addition to the first one where the gap is below a share of the range.
-struct Firmness {
+struct SecondSpring {
     std::uint8_t degree = 0;    ///< 0: no second spring
     std::uint8_t halvings = 1;  ///< exponent of the share: 1/2, 1/4, 1/8 ...
 
@@ -26,32 +26,33 @@ struct Firmness {
 struct Barrier {
     double range;  ///< m
     bool spring = false;
-    Firmness firmness = {};
+    SecondSpring second_spring = {};
 
     double value(double gap) const {  ///< J
         if (gap >= range) return 0;
         if (spring)
-            return 0.5 * (range - gap) * (range - gap) + 0.5 * firmness.stiffness() * firm(gap) * firm(gap);
+            return 0.5 * (range - gap) * (range - gap) +
+                   0.5 * second_spring.stiffness() * second_compression(gap) * second_compression(gap);
         if (gap <= 0) return std::numeric_limits<double>::infinity();
         return -scale * (range - gap) * (range - gap) * std::log(gap / range);
     }
     double slope(double gap) const {  ///< N; the force is its negative
         if (gap >= range) return 0;
-        if (spring) return gap - range - firmness.stiffness() * firm(gap);
+        if (spring) return gap - range - second_spring.stiffness() * second_compression(gap);
         const double left = range - gap;
         return scale * left * (2 * std::log(gap / range) - left / gap);
     }
     double curvature(double gap) const {  ///< N/m, positive
         if (gap >= range) return 0;
-        if (spring) return firm(gap) > 0 ? 1 + firmness.stiffness() : 1;
+        if (spring) return second_compression(gap) > 0 ? 1 + second_spring.stiffness() : 1;
         const double ratio = (range - gap) / gap;
         return scale * (-2 * std::log(gap / range) + ratio * (4 + ratio));
     }
 
   private:
     /// Compression of the second spring, m.
-    double firm(double gap) const {
-        return firmness.degree == 0 ? 0 : std::max(0.0, firmness.share() * range - gap);
+    double second_compression(double gap) const {
+        return second_spring.degree == 0 ? 0 : std::max(0.0, second_spring.share() * range - gap);
     }
 
     static constexpr double scale = 0.5 / (0.5 + 0.693147180559945309);  // slope(range / 2) is -range / 2

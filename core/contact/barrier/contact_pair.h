@@ -13,17 +13,19 @@ namespace sherd {
 /// Two elements of a contact surface that may touch.
 struct ContactPair {
     PairKind kind;
-    std::array<Index, 4> vertices;  ///< in the order of PairPositions
-    double stiffness;               ///< N/m, of the column of sheet between them (see ContactSurface)
-    double activation_distance;     ///< m, activation distance of the middle surfaces
-    EdgeMollifier mollifier;        ///< used by edge-edge pairs only
-    double closest = 0.75;          ///< minimum distance, as a share of the activation distance
-    bool spring = false;            ///< see Barrier
-    Firmness firmness = {};         ///< counts for springs only
+    std::array<Index, 4> vertices;    ///< in the order of PairPositions
+    double stiffness;                 ///< N/m, of the column of sheet between them (see ContactSurface)
+    double activation_distance;       ///< m, activation distance of the middle surfaces
+    EdgeMollifier mollifier;          ///< used by edge-edge pairs only
+    double closest = 0.75;            ///< minimum distance, as a share of the activation distance
+    bool spring = false;              ///< see Barrier
+    SecondSpring second_spring = {};  ///< counts for springs only
 
     double minimum() const { return closest * activation_distance; }  ///< m
-    Barrier barrier() const { return {activation_distance - minimum(), spring, firmness}; }
-    double largest_stiffness() const { return stiffness * (1 + firmness.stiffness()); }  ///< N/m, of a spring
+    Barrier barrier() const { return {activation_distance - minimum(), spring, second_spring}; }
+    double largest_stiffness() const {
+        return stiffness * (1 + second_spring.stiffness());
+    }  ///< N/m, of a spring
 };
 
 /// Sorts pairs by their kind, then by their vertices.

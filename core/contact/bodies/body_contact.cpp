@@ -22,7 +22,7 @@ BodyContact::BodyContact(const Shell& shell, std::vector<RigidBody> bodies,
       finished(started),
       ended(started),
       surfaces(surface_pairs(started, obstacles, crossed)),
-      held_by_shell(started.size()) {
+      sticks_with_shell(started.size()) {
     for (std::size_t b = 0; b < started.size(); ++b)
         pairs.push_back(started[b].surface ? std::make_unique<NearPairs>(with_surface(b)) : nullptr);
 }
@@ -38,8 +38,8 @@ void BodyContact::begin(const StepContext& step) {
     VectorXd ahead(base.size());
     for (std::size_t b = 0; b < steps.size(); ++b) ahead.segment<6>(6 * b) = steps[b].prediction();
     const Positions shell_ahead = shell.position + step.length * shell.velocity;
-    is_blocked = !have_straight_ways(shell_ahead, ahead, most_widths, most_widths_in_collider);
-    go_along();
+    is_blocked = !have_straight_paths(shell_ahead, ahead, most_widths, most_widths_in_collider);
+    move_with_colliders();
 }
 
 void BodyContact::topology_changed(const ShellChange& change, const StepContext& step) {
@@ -52,7 +52,7 @@ void BodyContact::make_steps(const StepContext& step) {
     steps.clear();
     for (std::size_t b = 0; b < started.size(); ++b)
         steps.emplace_back(shell, started[b], gravity, step, step.bodies[b], pairs[b].get(),
-                           obstacles.size() + b, held_by_shell[b]);
+                           obstacles.size() + b, sticks_with_shell[b]);
     if (base.size() == 0) base = VectorXd::Zero(static_cast<Eigen::Index>(6 * steps.size()));
     last.resize(3, 0);
     points = point_contacts(started, obstacles.size());
@@ -89,10 +89,10 @@ void BodyContact::find_sliding(const StepContext& step) {
         const Matrix3d turn =
             given ? Matrix3d(start[other].place.linear() * there.linear().transpose()) : Matrix3d::Identity();
         const Vector3d contact_point = here * point - body.contact_radius * at.normal;
-        sliding.push_back(
-            {number, one, other, here.inverse() * contact_point,
-             sliding_point(there.inverse() * contact_point, at, turn, coefficient,
-                           body.point_stiffness(collider(other)), step.length, held_by_points.of(number))});
+        sliding.push_back({number, one, other, here.inverse() * contact_point,
+                           sliding_point(there.inverse() * contact_point, at, turn, coefficient,
+                                         body.point_stiffness(collider(other)), step.length,
+                                         sticks_with_points.slip_of(number))});
     }
 }
 
@@ -247,11 +247,12 @@ void BodyContact::finish(const Positions& x) {
     end_at(x);
     finished = ended;
     const std::vector<BodyPose> at_end = poses(best);
-    for (std::size_t b = 0; b < steps.size(); ++b) held_by_shell[b] = steps[b].held_after(x, part(best, b));
-    held_by_points.clear();
+    for (std::size_t b = 0; b < steps.size(); ++b)
+        sticks_with_shell[b] = steps[b].elastic_slip_after(x, part(best, b));
+    sticks_with_points.clear();
     for (const auto& [number, body, other, point, friction] : sliding)
-        held_by_points.keep(
-            number, friction.held_after(at_end[body].place * point, at_end[other].place * friction.anchor));
+        sticks_with_points.keep(number, friction.elastic_slip_after(at_end[body].place * point,
+                                                                    at_end[other].place * friction.anchor));
     for (const auto& pair : surfaces) pair->finish(places_of(*pair, at_end));
 }
 

@@ -40,7 +40,7 @@ class BodyContact : public Energy {
     void end_at(const Positions& x);
     /// Whether the optimal poses have been found for the shell at x. If not, the step is too long for the
     /// bodies.
-    bool arrive(const Positions& x) const;
+    bool have_optimal_poses(const Positions& x) const;
     /// Whether a body passes through the shell, which moves straight to x, or through another body or an
     /// obstacle, in the step. Bodies move along their screws, obstacles by their motion.
     bool passes(const StepContext& step, const Positions& x) const;
@@ -75,9 +75,9 @@ class BodyContact : public Energy {
     /// Visits the state that begin() and topology_changed() do not compute.
     void visit_state(StateVisitor& visit) override {
         auto& [shell, obstacles, gravity, started, finished, ended, pairs, surfaces, steps, obstacle_starts,
-               obstacle_places, points, sliding, held_by_shell, held_by_points, start_stored, is_blocked,
-               base, last, best, at_best] = *this;
-        visit(started, finished, pairs, surfaces, held_by_shell, held_by_points);
+               obstacle_places, points, sliding, sticks_with_shell, sticks_with_points, start_stored,
+               is_blocked, base, last, best, at_best] = *this;
+        visit(started, finished, pairs, surfaces, sticks_with_shell, sticks_with_points);
     }
 
   private:
@@ -104,10 +104,10 @@ class BodyContact : public Energy {
     void find_sliding(const StepContext& step);
     /// Whether no body, on the straight way to q, gets more than `widths` of its widths beyond a sheet, or
     /// `widths_in_collider` of them beyond another collider, that it hits.
-    bool have_straight_ways(const Positions& x, const VectorXd& q, double widths,
-                            double widths_in_collider) const;
+    bool have_straight_paths(const Positions& x, const VectorXd& q, double widths,
+                             double widths_in_collider) const;
     /// Moves bodies along with colliders that move into them, in `base`.
-    void go_along();
+    void move_with_colliders();
     bool is_free(std::size_t collider) const { return collider < steps.size(); }
     const Collider& collider(std::size_t number) const;
     /// Pose of a collider at the beginning of the step.
@@ -149,7 +149,7 @@ class BodyContact : public Energy {
     /// For each body, the smallest number of a body that it is connected to by contacts, directly or through
     /// others. `ahead` also counts bodies that are near contact.
     std::vector<std::size_t> groups(const VectorXd& q, bool ahead) const;
-    double free_way(const Positions& x, const VectorXd& from, const VectorXd& to) const;
+    double free_fraction(const Positions& x, const VectorXd& from, const VectorXd& to) const;
     bool passes(const StepContext& step, const SurfacePairs& pair) const;  ///< when bodies get to `best`
     bool is_small(const VectorXd& correction) const;
     /// The correction of Newton's method at the best q so far.
@@ -174,8 +174,8 @@ class BodyContact : public Energy {
     std::vector<SlidingContact> sliding;
     /// Elastic slip at the end of the last finished step: of each body's contacts with the shell, and by
     /// number of a contact point.
-    std::vector<BodySticks> held_by_shell;
-    StickMemory<std::size_t> held_by_points;
+    std::vector<BodySticks> sticks_with_shell;
+    StickMemory<std::size_t> sticks_with_points;
     double start_stored = 0;  ///< J
     bool is_blocked = false;
     /// [6 B], empty before the first step: motions to poses free of overlap with the shell, where solve()

@@ -23,14 +23,16 @@ constexpr double small_way = 1e-6;
 
 }  // namespace
 
-void BodyContact::go_along() {
+void BodyContact::move_with_colliders() {
     std::vector<Eigen::Isometry3d> start, end;
     for (std::size_t c = 0; c < steps.size() + obstacles.size(); ++c) {
         start.push_back(start_of(c));
         end.push_back(is_free(c) ? start_of(c) : obstacle_places[c - steps.size()]);
     }
     const auto ends = [&](const SurfacePairs& pair) { return PairPlaces{end[pair.body], end[pair.other]}; };
-    const auto meet = [&](const SurfacePairs& pair) { return pair.free_way(start_of(pair), ends(pair)) < 1; };
+    const auto meet = [&](const SurfacePairs& pair) {
+        return pair.free_fraction(start_of(pair), ends(pair)) < 1;
+    };
     const auto moves = [&](std::size_t one, const Eigen::Isometry3d& along) {
         if (along.matrix() == end[one].matrix()) return false;
         end[one] = along;
@@ -44,7 +46,7 @@ void BodyContact::go_along() {
         if (!pair.other_deforms()) return false;
         const PairPlaces stays{start[pair.body], end[pair.other]};
         return moves(pair.body,
-                     Eigen::Translation3d(pair.pushed_along(start_of(pair), stays)) * start[pair.body]);
+                     Eigen::Translation3d(pair.push_displacement(start_of(pair), stays)) * start[pair.body]);
     };
     // A body that is pushed may push others, in chains of at most all bodies.
     bool any = true;
@@ -64,17 +66,17 @@ void BodyContact::go_along() {
     is_blocked |= std::ranges::any_of(surfaces, [&](const auto& pair) { return meet(*pair); });
     for (std::size_t b = 0; b < steps.size(); ++b)
         if (!part(base, b).isZero(0))
-            is_blocked |= steps[b].free_way(shell.position, Vector6d::Zero(), part(base, b)) < 1;
+            is_blocked |= steps[b].free_fraction(shell.position, Vector6d::Zero(), part(base, b)) < 1;
 }
 
-double BodyContact::free_way(const Positions& x, const VectorXd& from, const VectorXd& to) const {
+double BodyContact::free_fraction(const Positions& x, const VectorXd& from, const VectorXd& to) const {
     double fraction = 1;
     for (std::size_t b = 0; b < steps.size(); ++b)
-        fraction = std::min(fraction, steps[b].free_way(x, part(from, b), part(to, b)));
+        fraction = std::min(fraction, steps[b].free_fraction(x, part(from, b), part(to, b)));
     if (surfaces.empty()) return fraction;
     const std::vector<BodyPose> before = poses(from), after = poses(to);
     for (const auto& pair : surfaces)
-        fraction = std::min(fraction, pair->free_way(places_of(*pair, before), places_of(*pair, after)));
+        fraction = std::min(fraction, pair->free_fraction(places_of(*pair, before), places_of(*pair, after)));
     return fraction;
 }
 
@@ -107,7 +109,7 @@ bool BodyContact::improve(const Positions& x) const {
     const double slope = direction.dot(at_best.gradient);
     for (int halving = 0; halving < most_halvings; ++halving, direction /= 2) {
         if (best + direction == best) return false;
-        if (const double fraction = free_way(x, best, best + direction); fraction < 1) {
+        if (const double fraction = free_fraction(x, best, best + direction); fraction < 1) {
             // The bodies rotate, so a pose part of the way is not on the line between the positions checked;
             // it needs a check of its own.
             direction *= 2 * 0.9 * fraction;
@@ -147,7 +149,7 @@ bool BodyContact::is_small(const VectorXd& correction) const {
     return true;
 }
 
-bool BodyContact::arrive(const Positions& x) const {
+bool BodyContact::have_optimal_poses(const Positions& x) const {
     const Potential& here = solve(x);
     const VectorXd correction = here.hessian.ldlt().solve(here.gradient);
     const bool is_best = here.gradient.dot(correction) <= still_to_gain * std::abs(here.value);
@@ -182,13 +184,13 @@ bool BodyContact::passes(const StepContext& step, const SurfacePairs& pair) cons
     return false;
 }
 
-bool BodyContact::have_straight_ways(const Positions& x, const VectorXd& q, double widths,
-                                     double widths_in_collider) const {
+bool BodyContact::have_straight_paths(const Positions& x, const VectorXd& q, double widths,
+                                      double widths_in_collider) const {
     for (std::size_t b = 0; b < steps.size(); ++b)
-        if (!steps[b].has_straight_way(x, part(q, b), widths)) return false;
+        if (!steps[b].has_straight_path(x, part(q, b), widths)) return false;
     const std::vector<BodyPose> end = poses(q);
     return std::ranges::all_of(surfaces, [&](const auto& pair) {
-        return pair->has_straight_way(start_of(*pair), places_of(*pair, end), widths_in_collider);
+        return pair->has_straight_path(start_of(*pair), places_of(*pair, end), widths_in_collider);
     });
 }
 

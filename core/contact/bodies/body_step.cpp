@@ -25,7 +25,7 @@ ContactSurface surface_with(const Shell& shell, const RigidBody& body, std::size
 
 BodyStep::BodyStep(const Shell& shell, const RigidBody& body, const Vector3d& gravity,
                    const StepContext& step, const BodyOrigin& origin, const NearPairs* near,
-                   std::size_t number, const BodySticks& held)
+                   std::size_t number, const BodySticks& elastic_slip)
     : shell(shell),
       body(body),
       near(near),
@@ -35,18 +35,18 @@ BodyStep::BodyStep(const Shell& shell, const RigidBody& body, const Vector3d& gr
       vertices(shell, body, number) {
     predicted = origin.pose + lag * origin.velocity;
     predicted.head<3>() += step.square() * gravity;
-    find_sliding(step.length, held);
+    find_sliding(step.length, elastic_slip);
 }
 
-void BodyStep::find_sliding(double length, const BodySticks& held) {
+void BodyStep::find_sliding(double length, const BodySticks& elastic_slip) {
     const BodyPose start = pose(Vector6d::Zero());
-    vertices.begin(start.place, Matrix3d::Identity(), length, held.vertices,
+    vertices.begin(start.place, Matrix3d::Identity(), length, elastic_slip.vertices,
                    [&](const Vector3d& x) { return Vector3d(start.place.inverse() * x); });
     if (!near || body.friction == 0) return;
-    const Positions local = seen_from(start, shell.position), space = start.place * local;
+    const Positions local = in_frame_of(start, shell.position), space = start.place * local;
     for (const ContactPair& pair : near->active_pairs(local))
         sliding_pairs.push_back(sliding_pair(pair, columns(space, pair.vertices), body.friction, length,
-                                             held.pairs.of({pair.kind, pair.vertices})));
+                                             elastic_slip.pairs.slip_of({pair.kind, pair.vertices})));
 }
 
 BodyPose BodyStep::pose(const Vector6d& q) const {
@@ -56,7 +56,7 @@ BodyPose BodyStep::pose(const Vector6d& q) const {
     return pose;
 }
 
-Positions BodyStep::seen_from(const BodyPose& pose, const Positions& x) const {
+Positions BodyStep::in_frame_of(const BodyPose& pose, const Positions& x) const {
     const Positions& points = body.surface->points;
     Positions all(3, points.cols() + x.cols());
     all << points, pose.place.inverse() * x;
@@ -74,22 +74,22 @@ void BodyStep::add_inertia(const Vector6d& q, BodyPotential& sum) const {
 }
 
 void BodyStep::add_vertices(const Positions& x, const BodyPose& here, BodyPotential& sum) const {
-    const auto feel = [&](Index vertex, const PointForce& force, const Vector3d& at) {
+    const auto add_force_on = [&](Index vertex, const PointForce& force, const Vector3d& at) {
         sum.add_vertex(here, vertex, force.gradient, force.hessian, at - here.place.translation());
     };
     vertices.add_springs(x, here.place, Curvature::convex, [&](Index vertex, const PointForce& force) {
         sum.stored += force.value;
-        feel(vertex, force, x.col(vertex));
+        add_force_on(vertex, force, x.col(vertex));
     });
     vertices.add_friction(x, here.place, [&](Index vertex, const PointForce& force, const Vector3d& anchor) {
         sum.value += force.value;
-        feel(vertex, force, anchor);
+        add_force_on(vertex, force, anchor);
     });
 }
 
 void BodyStep::add_pairs(const Positions& x, const BodyPose& here, BodyPotential& sum) const {
     const Positions& points = body.surface->points;
-    const Positions local = seen_from(here, x);
+    const Positions local = in_frame_of(here, x);
     const Matrix3d rotation = here.place.linear();
     for (const ContactPair& pair : near->active_pairs(local)) {
         const PairPositions at = columns(local, pair.vertices);
@@ -123,14 +123,14 @@ PairPositions BodyStep::moved(const SlidingPair& pair, const Positions& x, const
     return way;
 }
 
-BodySticks BodyStep::held_after(const Positions& x, const Vector6d& q) const {
+BodySticks BodyStep::elastic_slip_after(const Positions& x, const Vector6d& q) const {
     const BodyPose here = pose(q);
-    BodySticks held;
-    vertices.hold(x, here.place, held.vertices);
+    BodySticks elastic_slip;
+    vertices.store_slip(x, here.place, elastic_slip.vertices);
     for (const SlidingPair& pair : sliding_pairs)
-        held.pairs.keep(pair.key(), pair.held_after(moved(pair, x, here)));
-    held.pairs.sort();
-    return held;
+        elastic_slip.pairs.keep(pair.key(), pair.elastic_slip_after(moved(pair, x, here)));
+    elastic_slip.pairs.sort();
+    return elastic_slip;
 }
 
 double BodyStep::friction_loss(const Positions& x, const Vector6d& q) const {
@@ -159,36 +159,36 @@ BodyPotential BodyStep::potential(const Positions& x, const Vector6d& q) const {
     return sum;
 }
 
-double BodyStep::free_way(const Positions& x, const Vector6d& from, const Vector6d& to) const {
+double BodyStep::free_fraction(const Positions& x, const Vector6d& from, const Vector6d& to) const {
     if (!near) return 1;
     const BodyPose before = pose(from), after = pose(to);
     // In the body's frame, the straight motion takes the shell through images of itself that are not folded
     // over while the angle is less than pi. Whole turns count, since a motion that is not tested may be long.
     const double angle = (to - from).tail<3>().norm();
     if (angle > largest_turn) return 0.5 * largest_turn / angle;
-    const Positions start = seen_from(before, x);
-    return near->safe_fraction(start, seen_from(after, x) - start);
+    const Positions start = in_frame_of(before, x);
+    return near->safe_fraction(start, in_frame_of(after, x) - start);
 }
 
 double BodyStep::free_motion(const Positions& x, const Positions& motion, const Vector6d& q) const {
     if (!near) return 1;
     const BodyPose here = pose(q);
-    const Positions start = seen_from(here, x);
-    return near->safe_fraction(start, seen_from(here, x + motion) - start);
+    const Positions start = in_frame_of(here, x);
+    return near->safe_fraction(start, in_frame_of(here, x + motion) - start);
 }
 
-bool BodyStep::has_straight_way(const Positions& x, const Vector6d& q, double widths) const {
+bool BodyStep::has_straight_path(const Positions& x, const Vector6d& q, double widths) const {
     const double width = widths * body.shape->bounds().sizes().minCoeff(), way = q.head<3>().norm();
     if (!near || way <= width) return true;
     BodyPose start = pose(Vector6d::Zero()), end = start;
     end.place.translation() += q.head<3>();
-    const Positions before = seen_from(start, shell.position);
-    return (1 - near->safe_fraction(before, seen_from(end, x) - before)) * way <= width;
+    const Positions before = in_frame_of(start, shell.position);
+    return (1 - near->safe_fraction(before, in_frame_of(end, x) - before)) * way <= width;
 }
 
 bool BodyStep::passes(const Positions& x, const Vector6d& q) const {
     return near && near->passes_in_parts(straight_parts(q.tail<3>().norm()), [&](double share) {
-        return seen_from(pose(share * q), shell.position + share * (x - shell.position));
+        return in_frame_of(pose(share * q), shell.position + share * (x - shell.position));
     });
 }
 
@@ -197,9 +197,9 @@ void BodyStep::add_near_vertices(const Positions& x, const Vector6d& q, std::set
     const double margin = ahead_of_contact * body.shape->bounds().diagonal().norm();
     for (Index v = 0; v < static_cast<Index>(x.cols()); ++v)
         if (vertices.overlap(x, v, here.place, margin).depth > 0) found.insert(v);
-    std::vector<std::pair<Index, Index>> soon;
-    if (near) near->add_contacts(seen_from(here, x), true, soon);
-    for (const auto& [a, b] : soon) found.insert({a, b});
+    std::vector<std::pair<Index, Index>> upcoming;
+    if (near) near->add_contacts(in_frame_of(here, x), true, upcoming);
+    for (const auto& [a, b] : upcoming) found.insert({a, b});
 }
 
 RigidBody BodyStep::moved(const Vector6d& q) const {
@@ -228,7 +228,7 @@ Touch BodyStep::touch(const Positions& x, const Vector6d& q) const {
     const BodyPose here = pose(q);
     vertices.add_touch(x, here.place, touch);
     std::set<const ColliderSurface*> itself;
-    if (near) near->add_touched(seen_from(here, x), touch.vertices, itself);
+    if (near) near->add_touched(in_frame_of(here, x), touch.vertices, itself);
     return touch;
 }
 

@@ -39,10 +39,10 @@ class BodyStep {
     /// shell, body: as they are at the beginning of the step; origin: the body's origins in the step;
     /// gravity: m/s^2. near: pairs of the shell and the body's surface, which rests in the body's frame; null
     /// if the body has no surface. Shell, body and near must outlive this object. number: of the body in
-    /// Shell::start_depths. held: elastic slip from the last step.
+    /// Shell::start_depths. elastic_slip: elastic slip from the last step.
     BodyStep(const Shell& shell, const RigidBody& body, const Vector3d& gravity, const StepContext& step,
              const BodyOrigin& origin, const NearPairs* near = nullptr, std::size_t number = 0,
-             const BodySticks& held = {});
+             const BodySticks& elastic_slip = {});
 
     BodyPotential potential(const Positions& x, const Vector6d& q) const;
     BodyPose pose(const Vector6d& q) const;
@@ -53,17 +53,17 @@ class BodyStep {
     /// Rates of the linear and of the angular momentum, N and N m, when the body ends the step as `end`.
     Vector6d momentum_rate(const RigidBody& end) const;
     /// Elastic slip of the contacts with the shell after the step.
-    BodySticks held_after(const Positions& x, const Vector6d& q) const;
+    BodySticks elastic_slip_after(const Positions& x, const Vector6d& q) const;
     /// Energy dissipated by friction with the shell in the step, J.
     double friction_loss(const Positions& x, const Vector6d& q) const;
 
     /// Fraction, 0 to 1, of the way from one q to another on which the body does not reach the shell at x.
-    double free_way(const Positions& x, const Vector6d& from, const Vector6d& to) const;
+    double free_fraction(const Positions& x, const Vector6d& from, const Vector6d& to) const;
     /// Fraction, 0 to 1, of the shell's motion from x on which it does not reach the body at q.
     double free_motion(const Positions& x, const Positions& motion, const Vector6d& q) const;
     /// Whether the body, if it moved straight and without rotation, would get no farther than `widths` of its
     /// smallest extents beyond its first contact with the shell, which moves to x meanwhile.
-    bool has_straight_way(const Positions& x, const Vector6d& q, double widths) const;
+    bool has_straight_path(const Positions& x, const Vector6d& q, double widths) const;
     /// Whether the body, which moves to q along its screw, passes through the shell, which moves straight to
     /// x. The search for the optimal pose may have moved it around the rim of a sheet.
     bool passes(const Positions& x, const Vector6d& q) const;
@@ -73,9 +73,9 @@ class BodyStep {
     Touch touch(const Positions& x, const Vector6d& q) const;
 
   private:
-    void find_sliding(double length, const BodySticks& held);
+    void find_sliding(double length, const BodySticks& elastic_slip);
     /// Positions of the body's points and the shell's vertices, m, in the body's frame, as `near` takes them.
-    Positions seen_from(const BodyPose& pose, const Positions& x) const;
+    Positions in_frame_of(const BodyPose& pose, const Positions& x) const;
     void add_inertia(const Vector6d& q, BodyPotential& sum) const;
     void add_vertices(const Positions& x, const BodyPose& here, BodyPotential& sum) const;
     void add_pairs(const Positions& x, const BodyPose& here, BodyPotential& sum) const;

@@ -121,7 +121,7 @@ bool any_cuts(const Positions& all, const std::vector<std::array<Index, 2>>& edg
 }  // namespace
 
 SurfacePairs::SurfacePairs(std::size_t body, const RigidBody& one, std::shared_ptr<const Shell> of_one,
-                           std::size_t other, const Collider& two, MetSurface surface,
+                           std::size_t other, const Collider& two, OtherSurface surface,
                            std::array<bool, 2> found_corners, bool are_springs)
     : body(body),
       other(other),
@@ -163,7 +163,7 @@ bool SurfacePairs::cross(const Positions& all) const {
            any_cuts(all, surface.edges(), surface.collider_triangles());
 }
 
-Positions SurfacePairs::seen(const PairPlaces& places) const {
+Positions SurfacePairs::in_body_frame(const PairPlaces& places) const {
     Positions all(3, first() + core->rest.cols());
     all << second.points(places.at_start), (places.there.inverse() * places.here) * core->rest;
     return all;
@@ -178,38 +178,38 @@ PairPositions SurfacePairs::in_space(const std::array<Index, 4>& vertices, const
     return at;
 }
 
-double SurfacePairs::free_way(const PairPlaces& from, const PairPlaces& to) const {
+double SurfacePairs::free_fraction(const PairPlaces& from, const PairPlaces& to) const {
     const Eigen::Isometry3d start = from.there.inverse() * from.here, end = to.there.inverse() * to.here;
     const bool rests = start.matrix() == end.matrix() && (!second.deforms() || from.at_start == to.at_start);
     if (rests || !may_meet(from, to)) return 1;
     const double angle = Eigen::AngleAxisd(start.linear().transpose() * end.linear()).angle();
     if (angle > largest_turn) return 0.5 * largest_turn / angle;
-    const Positions all = seen(from);
-    return near().safe_fraction(all, seen(to) - all);
+    const Positions all = in_body_frame(from);
+    return near().safe_fraction(all, in_body_frame(to) - all);
 }
 
-bool SurfacePairs::has_straight_way(const PairPlaces& from, const PairPlaces& to, double widths) const {
+bool SurfacePairs::has_straight_path(const PairPlaces& from, const PairPlaces& to, double widths) const {
     const Eigen::Isometry3d start = from.there.inverse() * from.here, end = to.there.inverse() * to.here;
     const double way = (end.translation() - start.translation()).norm() +
-                       (from.at_start == to.at_start ? 0 : second.longest_way());
+                       (from.at_start == to.at_start ? 0 : second.largest_displacement());
     const double width = widths * of_body;
     if (way <= width || !may_meet(from, to)) return true;
     PairPlaces moved{start, Eigen::Isometry3d::Identity(), to.at_start};
     moved.here.translation() = end.translation();
-    const Positions all = seen({start, Eigen::Isometry3d::Identity(), from.at_start});
-    return (1 - near().safe_fraction(all, seen(moved) - all)) * way <= width;
+    const Positions all = in_body_frame({start, Eigen::Isometry3d::Identity(), from.at_start});
+    return (1 - near().safe_fraction(all, in_body_frame(moved) - all)) * way <= width;
 }
 
 bool SurfacePairs::pass_between(const PairPlaces& from, const PairPlaces& to) const {
     if (!may_meet(from, to)) return false;
-    const Positions all = seen(from);
-    return near().passes(all, seen(to) - all);
+    const Positions all = in_body_frame(from);
+    return near().passes(all, in_body_frame(to) - all);
 }
 
-Vector3d SurfacePairs::pushed_along(const PairPlaces& from, const PairPlaces& to) const {
+Vector3d SurfacePairs::push_displacement(const PairPlaces& from, const PairPlaces& to) const {
     Vector3d most = Vector3d::Zero();
     if (!may_meet(from, to)) return most;
-    const Positions all = seen(from), way = seen({from.here, to.there, to.at_start}) - all;
+    const Positions all = in_body_frame(from), way = in_body_frame({from.here, to.there, to.at_start}) - all;
     near().each_nearby(all, way, [&](const ContactPair& pair) {
         const PairPositions moved = in_space(pair.vertices, to) - in_space(pair.vertices, from);
         for (int i = 0; i < 4; ++i)
@@ -222,7 +222,7 @@ Vector3d SurfacePairs::pushed_along(const PairPlaces& from, const PairPlaces& to
 bool SurfacePairs::apart(const PairPlaces& places, double pressed) const {
     const Eigen::Isometry3d at = places.there.inverse() * places.here;
     if (!balls_meet(at, at)) return true;
-    const Positions all = seen(places);
+    const Positions all = in_body_frame(places);
     return !cross(all) && std::ranges::all_of(near().active_pairs(all), [&](const ContactPair& pair) {
         const double depth = pair.activation_distance - distance(pair, columns(all, pair.vertices));
         return is_of_points(pair) || depth < pressed * pair.barrier().range;
@@ -235,11 +235,11 @@ int SurfacePairs::count_active(const PairPlaces& places) const {
     return count;
 }
 
-void SurfacePairs::look(const PairPlaces& places) {
+void SurfacePairs::update_exemption(const PairPlaces& places) {
     if (!crossed) return;
-    const double pressed = !seen_before ? still_apart : springs ? springs_take_over : barrier_takes_over;
+    const double pressed = !was_not_exempt ? still_apart : springs ? springs_take_over : barrier_takes_over;
     crossed = !apart(places, pressed);
-    seen_before = false;
+    was_not_exempt = false;
 }
 
 void SurfacePairs::place(const PairPlaces& places) {
@@ -256,16 +256,17 @@ bool SurfacePairs::passes(const PairPlaces& places) {
     const Eigen::Isometry3d from = before.there.inverse() * before.here,
                             to = places.there.inverse() * places.here;
     const double turn = Eigen::AngleAxisd(from.linear().transpose() * to.linear()).angle();
-    const double way = (to.translation() - from.translation()).norm() + turn * radius + second.longest_way();
-    if (way < core->thickness[0] / thickness_of_range && near().active_pairs(seen(places)).empty())
+    const double way =
+        (to.translation() - from.translation()).norm() + turn * radius + second.largest_displacement();
+    if (way < core->thickness[0] / thickness_of_range && near().active_pairs(in_body_frame(places)).empty())
         return false;
-    crossed = free_way(before, places) < 1;
+    crossed = free_fraction(before, places) < 1;
     return crossed;
 }
 
-double SurfacePairs::stiffness_on_way(const PairPlaces& places, const Positions& of_other,
-                                      const Positions& motion) const {
-    const Positions start = seen(places);
+double SurfacePairs::stiffness_along_motion(const PairPlaces& places, const Positions& of_other,
+                                            const Positions& motion) const {
+    const Positions start = in_body_frame(places);
     Positions moved = Positions::Zero(3, start.cols());
     if (of_other.cols() > 0) moved.leftCols(of_other.cols()) = of_other;
     moved.rightCols(motion.cols()) = motion;
@@ -277,20 +278,20 @@ double SurfacePairs::stiffness_on_way(const PairPlaces& places, const Positions&
 
 void SurfacePairs::begin(const PairPlaces& places, double length) {
     sliding_pairs.clear();
-    look(places);
+    update_exemption(places);
     place(places);
     if (friction == 0) return;
     each_active(places, [&](const ContactPair& pair, const PairPositions& at) {
         sliding_pairs.push_back(
-            sliding_pair(pair, at, friction, length, held.of({pair.kind, pair.vertices})));
+            sliding_pair(pair, at, friction, length, elastic_slip.slip_of({pair.kind, pair.vertices})));
     });
 }
 
 void SurfacePairs::finish(const PairPlaces& places) {
-    held.clear();
+    elastic_slip.clear();
     for (const SlidingPair& pair : sliding_pairs)
-        held.keep(pair.key(), pair.held_after(moved(pair.vertices, places)));
-    held.sort();
+        elastic_slip.keep(pair.key(), pair.elastic_slip_after(moved(pair.vertices, places)));
+    elastic_slip.sort();
 }
 
 std::vector<std::unique_ptr<SurfacePairs>> surface_pairs(const std::vector<RigidBody>& bodies,
@@ -303,12 +304,12 @@ std::vector<std::unique_ptr<SurfacePairs>> surface_pairs(const std::vector<Rigid
     }
     std::vector<std::unique_ptr<SurfacePairs>> all;
     const auto add = [&](std::size_t one, std::size_t two, const Collider& second,
-                         const MetSurface& surface) {
+                         const OtherSurface& surface) {
         const bool found = !is_ball(bodies[one]) && !surface.deforms();
         all.push_back(std::make_unique<SurfacePairs>(
             one, bodies[one], surface.deforms() ? with_facets[one] : cores[one], two, second, surface,
             std::array{found, found && two < bodies.size()}, springs));
-        if (!crossed.empty()) all.back()->go_on(crossed[all.size() - 1]);
+        if (!crossed.empty()) all.back()->resume(crossed[all.size() - 1]);
     };
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         if (!bodies[b].surface) continue;
@@ -316,10 +317,10 @@ std::vector<std::unique_ptr<SurfacePairs>> surface_pairs(const std::vector<Rigid
             if (!bodies[other].surface) continue;
             const bool swapped = is_ball(bodies[other]) && !is_ball(bodies[b]);
             const RigidBody& second = bodies[swapped ? b : other];
-            add(swapped ? other : b, swapped ? b : other, second, MetSurface(second));
+            add(swapped ? other : b, swapped ? b : other, second, OtherSurface(second));
         }
         for (std::size_t o = 0; o < obstacles.size(); ++o)
-            if (obstacles[o].surface) add(b, bodies.size() + o, obstacles[o], MetSurface(obstacles[o]));
+            if (obstacles[o].surface) add(b, bodies.size() + o, obstacles[o], OtherSurface(obstacles[o]));
     }
     return all;
 }

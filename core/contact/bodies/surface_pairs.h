@@ -5,7 +5,7 @@
 #include <span>
 
 #include "core/contact/bodies/body_step.h"
-#include "core/contact/bodies/met_surface.h"
+#include "core/contact/bodies/other_surface.h"
 
 namespace sherd {
 
@@ -37,12 +37,12 @@ class SurfacePairs {
     /// core: the body's surface, moved inward. corners: whether contact points find the corners of the body,
     /// and those of the other collider. springs: see ContactSurface.
     SurfacePairs(std::size_t body, const RigidBody& one, std::shared_ptr<const Shell> core, std::size_t other,
-                 const Collider& second, MetSurface surface, std::array<bool, 2> corners, bool springs);
+                 const Collider& second, OtherSurface surface, std::array<bool, 2> corners, bool springs);
 
     /// Number, in the pairs, of the body's first vertex; lower numbers are vertices of the other collider.
     Index first() const { return second.surface().size(); }
     bool other_deforms() const { return second.deforms(); }
-    /// Advances a deforming surface to `time` (s), see MetSurface.
+    /// Advances a deforming surface to `time` (s), see OtherSurface.
     void move_to(double time) { second.move_to(time); }
     /// Positions of a pair's vertices in space, m, [3, 4].
     PairPositions in_space(const std::array<Index, 4>& vertices, const PairPlaces& places) const;
@@ -50,7 +50,7 @@ class SurfacePairs {
     template <class Add>
     void each_active(const PairPlaces& places, Add add) const {
         if (!may_meet(places, places)) return;
-        for (const ContactPair& pair : near().active_pairs(seen(places))) {
+        for (const ContactPair& pair : near().active_pairs(in_body_frame(places))) {
             if (is_of_points(pair)) continue;
             ContactPair as_point = pair;
             as_point.stiffness = stiffness;
@@ -61,14 +61,14 @@ class SurfacePairs {
     int count_active(const PairPlaces& places) const;
     bool touch(const PairPlaces& places) const { return count_active(places) > 0; }
     /// Fraction, 0 to 1, of the straight motion from `from` to `to` up to which the surfaces do not touch.
-    double free_way(const PairPlaces& from, const PairPlaces& to) const;
+    double free_fraction(const PairPlaces& from, const PairPlaces& to) const;
     /// See BodyStep.
-    bool has_straight_way(const PairPlaces& from, const PairPlaces& to, double widths) const;
+    bool has_straight_path(const PairPlaces& from, const PairPlaces& to, double widths) const;
     /// Whether the surfaces pass through each other in the straight motion from `from` to `to`.
     bool pass_between(const PairPlaces& from, const PairPlaces& to) const;
     /// Largest displacement (m, in space) from `from` to `to` of a vertex of the other collider near the
     /// body, which rests.
-    Vector3d pushed_along(const PairPlaces& from, const PairPlaces& to) const;
+    Vector3d push_displacement(const PairPlaces& from, const PairPlaces& to) const;
     /// Coulomb coefficient of the two colliders.
     double coefficient() const { return friction; }
 
@@ -76,13 +76,13 @@ class SurfacePairs {
     bool is_crossed() const { return crossed; }
     void set_crossed(bool are) { crossed = are; }
     /// Continues after another time scheme, in which surfaces that were not exempt may press each other.
-    void go_on(bool was_crossed) {
+    void resume(bool was_crossed) {
         crossed = true;
-        seen_before = !was_crossed;
+        was_not_exempt = !was_crossed;
     }
     /// Ends the exemption if the surfaces do not intersect and pairs are hardly compressed. After another
     /// time scheme more compression is allowed.
-    void look(const PairPlaces& places);
+    void update_exemption(const PairPlaces& places);
     /// Sets the poses from which passes() starts.
     void place(const PairPlaces& places);
     /// Whether the surfaces pass through each other in the straight motion from the last place(). If so, they
@@ -93,11 +93,11 @@ class SurfacePairs {
     /// [3, P] m. way: m, bound on the motion of points within radius_of_body().
     template <class Motion>
     double stiffness_within_reach(const PairPlaces& places, double time, double way, Motion motion) const {
-        const Positions of_other = second.way_to(time);
+        const Positions of_other = second.displacement_to(time);
         if (of_other.cols() > 0) way += std::sqrt(of_other.colwise().squaredNorm().maxCoeff());
         const Eigen::Isometry3d at = places.there.inverse() * places.here;
         if (crossed || !balls_meet(at, at, 1 + way / radius)) return 0;
-        return stiffness_on_way(places, of_other, motion(Positions(places.here * core->rest)));
+        return stiffness_along_motion(places, of_other, motion(Positions(places.here * core->rest)));
     }
     /// Radius, m, of a ball around the centre of mass, within which the body's pairs act.
     double radius_of_body() const { return radius; }
@@ -114,14 +114,14 @@ class SurfacePairs {
     /// Visits the state that is neither given nor computed by begin() or on demand.
     void visit_state(StateVisitor& visit) {
         auto& [body, other, stiffness, friction, of_body, radius, second_young, second, core, corners,
-               springs, pairs, before, sliding_pairs, crossed, seen_before, held] = *this;
-        visit(second, crossed, seen_before, held);
+               springs, pairs, before, sliding_pairs, crossed, was_not_exempt, elastic_slip] = *this;
+        visit(second, crossed, was_not_exempt, elastic_slip);
     }
 
   private:
     /// Positions, m, of the other collider's vertices, then of the body's, in the frame of the other
     /// collider.
-    Positions seen(const PairPlaces& places) const;
+    Positions in_body_frame(const PairPlaces& places) const;
     /// Whether the surfaces are not exempt, and the ball around the body comes near the other collider in the
     /// straight motion from `from` to `to`.
     bool may_meet(const PairPlaces& from, const PairPlaces& to) const;
@@ -136,23 +136,24 @@ class SurfacePairs {
     bool apart(const PairPlaces& places, double pressed) const;
     /// See stiffness_within_reach(); of_other: m, motion of the other collider's vertices, without columns if
     /// they rest.
-    double stiffness_on_way(const PairPlaces& places, const Positions& of_other,
-                            const Positions& motion) const;
+    double stiffness_along_motion(const PairPlaces& places, const Positions& of_other,
+                                  const Positions& motion) const;
     const NearPairs& near() const;
 
     /// N/m, of pairs; Coulomb coefficient; m, smallest extent of the body; m, see radius_of_body().
     double stiffness, friction, of_body, radius;
     double second_young;  ///< Pa
-    MetSurface second;
+    OtherSurface second;
     std::shared_ptr<const Shell> core;  ///< the body's surface, moved inward
     std::array<bool, 2> corners;  ///< whether contact points find the corners of body and other collider
     bool springs;
     mutable std::unique_ptr<NearPairs> pairs;  ///< made when the two come near, since most never do
     PairPlaces before{Eigen::Isometry3d::Identity(), Eigen::Isometry3d::Identity(), true};
     std::vector<SlidingPair> sliding_pairs;
-    bool crossed = true;       ///< whether the surfaces are exempt; assumed until look()
-    bool seen_before = false;  ///< whether they were not exempt with another time scheme, until look()
-    StickMemory<PairKey> held;
+    bool crossed = true;  ///< whether the surfaces are exempt; assumed until update_exemption()
+    bool was_not_exempt =
+        false;  ///< whether they were not exempt with another time scheme, until update_exemption()
+    StickMemory<PairKey> elastic_slip;
 };
 
 /// Makes the pairs of the surfaces of all bodies with each other and with obstacles that have one. Of a ball

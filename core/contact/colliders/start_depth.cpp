@@ -32,12 +32,12 @@ double depth(const Shell& shell, const Collider& collider, const Eigen::Isometry
 bool shrink(Shell& shell, StartDepth& start, const Collider& collider, const Eigen::Isometry3d& pose) {
     for (Index v = 0; v < static_cast<Index>(start.depth.size()); ++v)
         if (start.depth[v] > 0) start.depth[v] = std::min(start.depth[v], depth(shell, collider, pose, v));
-    if (std::ranges::find(start.unseen, char(1)) == start.unseen.end()) return false;
+    if (std::ranges::find(start.surface_exempt, char(1)) == start.surface_exempt.end()) return false;
     bool any = false;
     const VectorXd reach = longest_edges(shell);
-    for (Index v = 0; v < static_cast<Index>(start.unseen.size()); ++v)
-        if (start.unseen[v] && depth(shell, collider, pose, v, reach[v]) <= 0) {
-            start.unseen[v] = 0;
+    for (Index v = 0; v < static_cast<Index>(start.surface_exempt.size()); ++v)
+        if (start.surface_exempt[v] && depth(shell, collider, pose, v, reach[v]) <= 0) {
+            start.surface_exempt[v] = 0;
             any = true;
         }
     return any;
@@ -46,29 +46,31 @@ bool shrink(Shell& shell, StartDepth& start, const Collider& collider, const Eig
 /// Updates the exempt elements beside a surface without inside, which has no exempt depths.
 bool shrink(Shell& shell, StartDepth& start, const Obstacle& obstacle, double time) {
     VectorXd reach = longest_edges(shell) + 0.5 * shell.thickness;
-    for (Index v = 0; v < static_cast<Index>(start.unseen.size()); ++v)
-        if (!start.unseen[v]) reach[v] = -1;
-    const std::vector<char> before = std::exchange(start.unseen, std::vector<char>(start.unseen.size(), 0));
+    for (Index v = 0; v < static_cast<Index>(start.surface_exempt.size()); ++v)
+        if (!start.surface_exempt[v]) reach[v] = -1;
+    const std::vector<char> before =
+        std::exchange(start.surface_exempt, std::vector<char>(start.surface_exempt.size(), 0));
     for (const Index v :
          near_surface(obstacle.points_at(time), obstacle.surface->triangles, shell.position, reach))
-        start.unseen[v] = 1;
-    return start.unseen != before;
+        start.surface_exempt[v] = 1;
+    return start.surface_exempt != before;
 }
 
 bool is_over(const StartDepth& start) {
-    return start.depth.maxCoeff() <= 0 && std::ranges::find(start.unseen, char(1)) == start.unseen.end();
+    return start.depth.maxCoeff() <= 0 &&
+           std::ranges::find(start.surface_exempt, char(1)) == start.surface_exempt.end();
 }
 
 }  // namespace
 
-void let_overlap(Shell& shell, std::size_t colliders, std::size_t collider, Index vertex, double depth,
-                 bool unseen) {
+void exempt_overlap(Shell& shell, std::size_t colliders, std::size_t collider, Index vertex, double depth,
+                    bool surface_exempt) {
     if (shell.start_depths.empty())
         shell.start_depths.assign(
             colliders, {VectorXd::Zero(shell.position.cols()), std::vector<char>(shell.position.cols(), 0)});
     StartDepth& start = shell.start_depths[collider];
     start.depth[vertex] = std::max(start.depth[vertex], depth);
-    if (unseen) start.unseen[vertex] = 1;
+    if (surface_exempt) start.surface_exempt[vertex] = 1;
 }
 
 bool shrink_start_depths(Shell& shell, const std::vector<Obstacle>& obstacles,

@@ -16,10 +16,10 @@ inline double start_depth(const Shell& shell, std::size_t collider, Index vertex
 }
 
 /// Exempts an overlap of a vertex with a collider at the start: the collider pushes the vertex only where it
-/// is deeper than `depth` (m), and with `unseen` elements with this vertex do not collide with the collider's
-/// surface. colliders: number of obstacles and bodies.
-void let_overlap(Shell& shell, std::size_t colliders, std::size_t collider, Index vertex, double depth,
-                 bool unseen);
+/// is deeper than `depth` (m), and with `surface_exempt` elements with this vertex do not collide with the
+/// collider's surface. colliders: number of obstacles and bodies.
+void exempt_overlap(Shell& shell, std::size_t colliders, std::size_t collider, Index vertex, double depth,
+                    bool surface_exempt);
 
 /// Reduces the exempt depths to the present ones, and ends the exemption of elements that are too far from
 /// the collider to reach its surface. time: s, of the obstacles' poses. Returns whether the exemption of any

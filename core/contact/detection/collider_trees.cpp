@@ -28,9 +28,9 @@ const ColliderTrees::Trees* ColliderTrees::within_reach(const Box& reach, std::s
     const Positions from = within.start.middleCols(first.vertex, end.vertex - first.vertex);
     const Positions to = from + within.motion.middleCols(first.vertex, end.vertex - first.vertex);
     if (from.cols() == 0 || !box_around(from, to).meets(reach)) return nullptr;
-    while (kept.size() <= collider)
-        kept.push_back({Positions(3, 0), Positions(3, 0), {BoxTree({}), BoxTree({}), BoxTree({})}, {}});
-    Kept& known = kept[collider];
+    while (cached.size() <= collider)
+        cached.push_back({Positions(3, 0), Positions(3, 0), {BoxTree({}), BoxTree({}), BoxTree({})}, {}});
+    Cached& known = cached[collider];
     if (known.from.cols() == from.cols() && known.from == from && known.to == to) return &known.trees;
     std::vector<Box> boxes;
     for (Eigen::Index v = 0; v < from.cols(); ++v)

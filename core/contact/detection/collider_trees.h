@@ -24,12 +24,12 @@ class ColliderTrees {
     struct Divisions {
         BoxTree::Division points, edges, triangles;
     };
-    struct Kept {
+    struct Cached {
         Positions from, to;  ///< m, of the collider's vertices at the beginning and the end of the motion
         Trees trees;
         Divisions divisions;
     };
-    std::vector<Kept> kept;
+    std::vector<Cached> cached;
 };
 
 }  // namespace sherd

@@ -84,16 +84,17 @@ std::vector<char> changed_vertices(const ShellChange& change, const ContactSurfa
         for (const Index v : before.triangles()[face]) changed[v] = 1;
     for (const auto& [face, parents] : change.reshaped)
         for (const Index v : after.triangles()[face]) changed[v] = 1;
-    std::vector<std::array<Index, 2>> twins;
-    std::ranges::set_symmetric_difference(before.twins(), after.twins(), std::back_inserter(twins));
-    for (const auto& [a, b] : twins) changed[a] = changed[b] = 1;
+    std::vector<std::array<Index, 2>> exempt_pairs;
+    std::ranges::set_symmetric_difference(before.exempt_pairs(), after.exempt_pairs(),
+                                          std::back_inserter(exempt_pairs));
+    for (const auto& [a, b] : exempt_pairs) changed[a] = changed[b] = 1;
     std::vector<NearVertices> near;
     std::ranges::set_symmetric_difference(before.near_vertices(), after.near_vertices(),
                                           std::back_inserter(near));
     for (const auto& [vertices, reach] : near) changed[vertices[0]] = changed[vertices[1]] = 1;
     for (std::size_t c = 0; c < after.collider_count(); ++c)
         for (Index v = before.collider_vertices(); v < before.vertices(); ++v)
-            if (before.is_unseen(c, v) != after.is_unseen(c, v)) changed[v] = 1;
+            if (before.is_surface_exempt(c, v) != after.is_surface_exempt(c, v)) changed[v] = 1;
     return changed;
 }
 
@@ -108,38 +109,38 @@ void follow_on_sheets(const ShellChange& change, Index collider_vertices, Positi
 }  // namespace
 
 ContactCandidates::ContactCandidates(const ContactSurface& surface, Neighbourhood neighbourhood,
-                                     KeptTrees& kept, Threads team)
+                                     CachedTrees& cached, Threads team)
     : within(std::move(neighbourhood)), threads(std::move(team)) {
-    find(surface, std::vector<char>(surface.vertices(), 1), kept);
+    find(surface, std::vector<char>(surface.vertices(), 1), cached);
 }
 
 void ContactCandidates::find(const ContactSurface& surface, const std::vector<char>& changed,
-                             KeptTrees& kept) {
+                             CachedTrees& cached) {
     using Entry = std::optional<PairBlocks::Entry>;
-    std::vector<Met> met;
+    std::vector<ElementPair> touching;
     std::vector<PairBlocks::Entry> found;
-    const auto judge = [&] {
+    const auto pair_up = [&] {
         threads.share_lots<Entry>(
-            met.size(), [&](std::size_t i, Entry& entry) { entry = pair_of(surface, met[i]); },
+            touching.size(), [&](std::size_t i, Entry& entry) { entry = pair_of(surface, touching[i]); },
             [&](std::size_t, std::span<const Entry> lot) {
                 for (const Entry& entry : lot)
                     if (entry) found.push_back(*entry);
             });
-        met.clear();
+        touching.clear();
     };
-    const auto take = [&](const Met& one) {
-        met.push_back(one);
-        if (met.size() == at_once) judge();
+    const auto take = [&](const ElementPair& one) {
+        touching.push_back(one);
+        if (touching.size() == at_once) pair_up();
     };
-    if (surface.sheets_meet()) meet_on_sheets(surface, changed, kept, take);
-    if (surface.collider_vertices() > 0) meet_on_colliders(surface, changed, kept.colliders, take);
-    judge();
+    if (surface.sheets_meet()) meet_on_sheets(surface, changed, cached, take);
+    if (surface.collider_vertices() > 0) meet_on_colliders(surface, changed, cached.colliders, take);
+    pair_up();
     pairs.add(found, within.start);
 }
 
 template <class Take>
 void ContactCandidates::meet_on_sheets(const ContactSurface& surface, const std::vector<char>& changed,
-                                       KeptTrees& kept, const Take& take) const {
+                                       CachedTrees& cached, const Take& take) const {
     const std::vector<Box> boxes = vertex_boxes(surface, within, 1);
     const auto has_changed = [&](const auto& element, const Box&) {
         return std::any_of(element.begin(), element.end(), [&](Index v) { return changed[v]; });
@@ -155,9 +156,9 @@ void ContactCandidates::meet_on_sheets(const ContactSurface& surface, const std:
         });
     };
     const auto all_points = points(surface.collider_vertices(), surface.vertices());
-    const auto vertices = those(all_points, boxes, has_changed, &kept.vertices);
-    const auto triangles = those(surface.triangles(), boxes, has_changed, &kept.triangles);
-    const auto edges = those(surface.edges(), boxes, has_changed, &kept.edges);
+    const auto vertices = those(all_points, boxes, has_changed, &cached.vertices);
+    const auto triangles = those(surface.triangles(), boxes, has_changed, &cached.triangles);
+    const auto edges = those(surface.edges(), boxes, has_changed, &cached.edges);
     meet(PairKind::vertex_triangle, vertices, triangles);
     const bool all_have_changed = std::ranges::find(changed, 0) == changed.end();
     if (!all_have_changed) {
@@ -205,8 +206,8 @@ void ContactCandidates::meet_on_colliders(const ContactSurface& surface, const s
 }
 
 std::optional<PairBlocks::Entry> ContactCandidates::pair_of(const ContactSurface& surface,
-                                                            const Met& met) const {
-    const auto& [kind, vertices] = met;
+                                                            const ElementPair& touching) const {
+    const auto& [kind, vertices] = touching;
     if (surface.apart(kind, vertices)) return {};
     const PairPositions x = columns(within.start, vertices);
     const double way =
@@ -237,7 +238,7 @@ std::vector<ContactPair> ContactCandidates::pick(const ContactSurface& surface,
 }
 
 void ContactCandidates::follow(const ShellChange& change, const ContactSurface& before,
-                               const ContactSurface& after, KeptTrees& kept) {
+                               const ContactSurface& after, CachedTrees& cached) {
     if (within.start.cols() != before.vertices()) {
         *this = ContactCandidates(threads);
         return;
@@ -246,7 +247,7 @@ void ContactCandidates::follow(const ShellChange& change, const ContactSurface& 
         follow_on_sheets(change, before.collider_vertices(), *x);
     const std::vector<char> changed = changed_vertices(change, before, after);
     pairs.remove(changed);
-    find(after, changed, kept);
+    find(after, changed, cached);
 }
 
 }  // namespace sherd

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/contact/detection/kept_trees.h"
+#include "core/contact/detection/cached_trees.h"
 #include "core/contact/detection/pair_blocks.h"
 #include "core/state_visitor.h"
 
@@ -20,8 +20,8 @@ class ContactCandidates {
 
     /// No pairs. threads: share the search for pairs and queries of them.
     explicit ContactCandidates(Threads threads = Threads()) : threads(std::move(threads)) {}
-    /// kept: trees that are reused by the next call, for the same surface.
-    ContactCandidates(const ContactSurface& surface, Neighbourhood neighbourhood, KeptTrees& kept,
+    /// cached: trees that are reused by the next call, for the same surface.
+    ContactCandidates(const ContactSurface& surface, Neighbourhood neighbourhood, CachedTrees& cached,
                       Threads threads = Threads());
 
     const Neighbourhood& neighbourhood() const { return within; }
@@ -39,9 +39,9 @@ class ContactCandidates {
         return pairs.near(x, motion, as_near, reserve + within.round_off, threads, keep);
     }
     /// Searches pairs again where triangles have other vertices or another place on the sheet, or where the
-    /// exemptions of vertices (twins, near_vertices(), is_unseen()) have changed.
+    /// exemptions of vertices (exempt_pairs(), near_vertices(), is_surface_exempt()) have changed.
     void follow(const ShellChange& change, const ContactSurface& before, const ContactSurface& after,
-                KeptTrees& kept);
+                CachedTrees& cached);
 
     void visit_state(StateVisitor& visit) {
         auto& [within, pairs, threads] = *this;
@@ -50,21 +50,22 @@ class ContactCandidates {
 
   private:
     /// Searches all pairs with a vertex that has changed.
-    void find(const ContactSurface& surface, const std::vector<char>& changed, KeptTrees& kept);
+    void find(const ContactSurface& surface, const std::vector<char>& changed, CachedTrees& cached);
     /// Two elements whose boxes overlap.
-    struct Met {
+    struct ElementPair {
         PairKind kind;
         std::array<Index, 4> vertices;
     };
     /// Call take(met) for two elements whose boxes overlap and of which one has a vertex that has changed.
     template <class Take>
-    void meet_on_sheets(const ContactSurface& surface, const std::vector<char>& changed, KeptTrees& kept,
+    void meet_on_sheets(const ContactSurface& surface, const std::vector<char>& changed, CachedTrees& cached,
                         const Take& take) const;
     template <class Take>
     void meet_on_colliders(const ContactSurface& surface, const std::vector<char>& changed,
                            ColliderTrees& colliders, const Take& take) const;
     /// The pair of two elements; none if they do not come near contact.
-    std::optional<PairBlocks::Entry> pair_of(const ContactSurface& surface, const Met& met) const;
+    std::optional<PairBlocks::Entry> pair_of(const ContactSurface& surface,
+                                             const ElementPair& touching) const;
 
     Neighbourhood within;
     PairBlocks pairs;

@@ -51,7 +51,7 @@ double activation_distance_of_sheets(const Shell& shell, PairKind kind,
         return together;
     const PairPositions rest = columns(shell.rest, vertices);
     const double at_rest = std::sqrt(squared_distance(closest_points(kind, rest), rest));
-    // Crack faces (lips) have distance zero at rest; they get here only when their exemption has ended.
+    // Crack faces have distance zero at rest; they get here only when their exemption has ended.
     return at_rest > 0 ? std::min(together, share_of_rest * at_rest) : together;
 }
 
@@ -61,7 +61,7 @@ ContactSurface::ContactSurface(const Shell& shell, const std::vector<ContactColl
       colliders(colliders),
       sheets(sheets_meet),
       springs(springs),
-      has_twin(shell.rest.cols(), 0),
+      in_exempt_pair(shell.rest.cols(), 0),
       is_near(shell.rest.cols(), 0) {
     add_colliders();
     const Index start = collider_vertices();
@@ -69,12 +69,12 @@ ContactSurface::ContactSurface(const Shell& shell, const std::vector<ContactColl
         triangle.push_back(shifted(stencil.vertices, start));
     add_sheet_edges();
     if (shell.uneven) find_largest_thicknesses();
-    for (const auto& [a, b] : shell.twins) {
-        twin.push_back(shifted(std::array{a, b}, start));
-        twin.push_back(shifted(std::array{b, a}, start));
-        has_twin[a] = has_twin[b] = 1;
+    for (const auto& [a, b] : shell.exempt_pairs) {
+        exempt_pair.push_back(shifted(std::array{a, b}, start));
+        exempt_pair.push_back(shifted(std::array{b, a}, start));
+        in_exempt_pair[a] = in_exempt_pair[b] = 1;
     }
-    std::sort(twin.begin(), twin.end());
+    std::sort(exempt_pair.begin(), exempt_pair.end());
     for (const auto& [vertices, reach] : shell.near) {
         const auto [a, b] = vertices;
         near.push_back({shifted(std::array{a, b}, start), reach});
@@ -83,7 +83,8 @@ ContactSurface::ContactSurface(const Shell& shell, const std::vector<ContactColl
     }
     std::sort(near.begin(), near.end());
     for (const ContactCollider& met : colliders)
-        if (!shell.start_depths.empty()) unseen.push_back(shell.start_depths[met.number].unseen);
+        if (!shell.start_depths.empty())
+            surface_exempt.push_back(shell.start_depths[met.number].surface_exempt);
 }
 
 void ContactSurface::add_colliders() {
@@ -116,7 +117,7 @@ void ContactSurface::add_sheet_edges() {
 }
 
 void ContactSurface::find_largest_thicknesses() {
-    largest_half.assign(has_twin.size(), 0);
+    largest_half.assign(in_exempt_pair.size(), 0);
     for (const TriangleStencil& stencil : shell->triangles) {
         const auto [a, b, c] = stencil.vertices;
         const double largest =
@@ -126,8 +127,8 @@ void ContactSurface::find_largest_thicknesses() {
 }
 
 bool ContactSurface::joined(Index a, Index b) const {
-    return a == b || (has_twin[of_sheet(a)] && has_twin[of_sheet(b)] &&
-                      std::binary_search(twin.begin(), twin.end(), std::array{a, b}));
+    return a == b || (in_exempt_pair[of_sheet(a)] && in_exempt_pair[of_sheet(b)] &&
+                      std::binary_search(exempt_pair.begin(), exempt_pair.end(), std::array{a, b}));
 }
 
 double ContactSurface::reach(Index a, Index b) const {
@@ -141,7 +142,7 @@ bool ContactSurface::apart(PairKind kind, const std::array<Index, 4>& vertices) 
     if (const ContactCollider* met = collider_of(kind, vertices))
         return std::any_of(vertices.begin(), vertices.end(), [&](Index vertex) {
             return !of_collider(vertex) &&
-                   (is_unseen(met - colliders.data(), vertex) ||
+                   (is_surface_exempt(met - colliders.data(), vertex) ||
                     std::binary_search(met->around.begin(), met->around.end(), of_sheet(vertex)));
         });
     const int first = vertices_of_first(kind);

@@ -54,7 +54,7 @@ class ContactSurface {
                             bool sheets_meet = true, bool springs = false);
 
     Index collider_vertices() const { return static_cast<Index>(collider.size()); }
-    Index vertices() const { return collider_vertices() + static_cast<Index>(has_twin.size()); }
+    Index vertices() const { return collider_vertices() + static_cast<Index>(in_exempt_pair.size()); }
     bool of_collider(Index vertex) const { return vertex < collider_vertices(); }
     /// The number of the collider that a vertex of colliders belongs to.
     Index collider_number(Index vertex) const { return collider[vertex]; }
@@ -64,13 +64,13 @@ class ContactSurface {
     // Elements of the sheets:
     const std::vector<std::array<Index, 3>>& triangles() const { return triangle; }
     const std::vector<std::array<Index, 2>>& edges() const { return edge; }  ///< ascending
-    /// Exempt pairs of vertices (twins), which coincide at a crack or whose faces cross at the start, in both
+    /// Exempt pairs of vertices, which coincide at a crack or whose faces cross at the start, in both
     /// orders, ascending.
-    const std::vector<std::array<Index, 2>>& twins() const { return twin; }
+    const std::vector<std::array<Index, 2>>& exempt_pairs() const { return exempt_pair; }
     /// Whether elements with this vertex of sheets are exempt from contact with a collider's surface since
     /// the start.
-    bool is_unseen(std::size_t of_collider, Index vertex) const {
-        return !unseen.empty() && unseen[of_collider][of_sheet(vertex)] != 0;
+    bool is_surface_exempt(std::size_t of_collider, Index vertex) const {
+        return !surface_exempt.empty() && surface_exempt[of_collider][of_sheet(vertex)] != 0;
     }
     std::size_t collider_count() const { return colliders.size(); }
     /// Pairs of vertices whose elements have a smaller activation distance since the start, in both orders,
@@ -117,10 +117,10 @@ class ContactSurface {
 
     void visit_state(StateVisitor& visit) {
         auto& [shell, colliders, sheets, springs, collider, start_of, triangle, collider_triangle, edge,
-               collider_edge, twin, width, collider_width, largest_half, unseen, near, has_twin, is_near] =
-            *this;
-        visit(collider, start_of, triangle, collider_triangle, edge, collider_edge, twin, width,
-              collider_width, largest_half, unseen, near, has_twin, is_near);
+               collider_edge, exempt_pair, width, collider_width, largest_half, surface_exempt, near,
+               in_exempt_pair, is_near] = *this;
+        visit(collider, start_of, triangle, collider_triangle, edge, collider_edge, exempt_pair, width,
+              collider_width, largest_half, surface_exempt, near, in_exempt_pair, is_near);
     }
 
   private:
@@ -149,12 +149,13 @@ class ContactSurface {
     std::vector<Index> collider;  ///< the collider of each vertex of colliders
     std::vector<Start> start_of;  ///< see collider_starts()
     std::vector<std::array<Index, 3>> triangle, collider_triangle;
-    std::vector<std::array<Index, 2>> edge, collider_edge, twin;
+    std::vector<std::array<Index, 2>> edge, collider_edge, exempt_pair;
     std::vector<double> width, collider_width;  ///< m, of each edge
     std::vector<double> largest_half;           ///< m, of each vertex; empty: the thickness is even
-    std::vector<std::vector<char>> unseen;      ///< exemptions by collider and vertex of sheets; empty: none
+    std::vector<std::vector<char>>
+        surface_exempt;  ///< exemptions by collider and vertex of sheets; empty: none
     std::vector<NearVertices> near;
-    std::vector<char> has_twin, is_near;  ///< flags of each vertex of sheets
+    std::vector<char> in_exempt_pair, is_near;  ///< flags of each vertex of sheets
 };
 
 }  // namespace sherd

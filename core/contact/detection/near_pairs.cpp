@@ -27,7 +27,7 @@ constexpr double widths_of_part = 2, most_parts = 64;
 /// passing counts, as for springs.
 constexpr double clearance_of_barriers = 0.5, clearance_of_passing = 1e-3;
 /// Least share of its range that a barrier must have left for implicit steps to continue.
-constexpr double room_for_barriers = 0.02;
+constexpr double barrier_range_left = 0.02;
 
 double clearance(const ContactPair& pair) {
     return (pair.spring ? clearance_of_passing : clearance_of_barriers) * pair.barrier().range;
@@ -90,7 +90,7 @@ const std::vector<ContactPair>& NearPairs::active_pairs(const Positions& x) cons
     if (last.cols() == x.cols() && last == x) return active;
     candidates(x);
     active = found.active(of, x);
-    for (ContactPair& pair : active) pair.firmness = firm;
+    for (ContactPair& pair : active) pair.second_spring = spring_of_pairs;
     last = x;
     return active;
 }
@@ -102,25 +102,25 @@ double NearPairs::parts(const Positions& x, const Positions& motion) const {
     return longest > 0 && length > longest ? std::ceil(length / longest) : 1;
 }
 
-double NearPairs::free_fraction(const Positions& x, const Positions& motion, Kept kept) const {
+double NearPairs::free_fraction(const Positions& x, const Positions& motion, Gap gap) const {
     const double parts = this->parts(x, motion);
-    if (parts == 1) return free_fraction_of_part(x, motion, kept);
+    if (parts == 1) return free_fraction_of_part(x, motion, gap);
     const Positions part = motion / parts;
     for (double before = 0; before < std::min(parts, most_parts); ++before)
-        if (const double fraction = free_fraction_of_part(x + before * part, part, kept); fraction < 1)
+        if (const double fraction = free_fraction_of_part(x + before * part, part, gap); fraction < 1)
             return (before + fraction) / parts;
     return std::min(1.0, most_parts / parts);
 }
 
-double NearPairs::free_fraction_of_part(const Positions& x, const Positions& motion, Kept kept) const {
+double NearPairs::free_fraction_of_part(const Positions& x, const Positions& motion, Gap gap) const {
     const ContactCandidates& all = candidates(x, motion);
     const double round_off = 4 * all.neighbourhood().round_off;
     struct Room {
         double minimum, clearance;
     };
     const auto room_of = [&](const ContactPair& pair) {
-        return kept == Kept::minimum ? Room{pair.minimum(), clearance(pair)}
-                                     : Room{0, clearance_of_passing * pair.activation_distance};
+        return gap == Gap::minimum ? Room{pair.minimum(), clearance(pair)}
+                                   : Room{0, clearance_of_passing * pair.activation_distance};
     };
     const auto may_meet = [&](const ContactPair& pair, double least) {
         const double way = approach(pair.kind, columns(motion, pair.vertices)) + round_off;
@@ -138,10 +138,10 @@ double NearPairs::free_fraction_of_part(const Positions& x, const Positions& mot
     return fraction;
 }
 
-bool NearPairs::leave_room_for_barriers(const Positions& x) const {
+bool NearPairs::allow_barriers(const Positions& x) const {
     return std::ranges::none_of(active_pairs(x), [&](const ContactPair& pair) {
         const double minimum = of.minimum_of_barrier(pair);
-        return within(minimum + room_for_barriers * (pair.activation_distance - minimum), pair,
+        return within(minimum + barrier_range_left * (pair.activation_distance - minimum), pair,
                       columns(x, pair.vertices));
     });
 }
@@ -152,14 +152,14 @@ std::vector<ContactPair> NearPairs::pairs_nearby(const Positions& x) const {
 }
 
 void NearPairs::each_nearby(const Positions& x, const Positions& motion,
-                            const std::function<void(const ContactPair&)>& see) const {
+                            const std::function<void(const ContactPair&)>& visit_pair) const {
     const double parts = this->parts(x, motion);
     if (parts > most_parts) return;
     const Positions part = motion / parts;
     for (double before = 0; before < parts; ++before) {
         const Neighbourhood near = surroundings(x + before * part, part);
         if (!found.neighbourhood().contains(near)) find(x + before * part, part);
-        std::ranges::for_each(found.pick(of, near), see);
+        std::ranges::for_each(found.pick(of, near), visit_pair);
     }
 }
 
@@ -171,13 +171,13 @@ std::vector<ContactPair> NearPairs::pairs_within_reach(const Positions& x, const
     std::vector<ContactPair> reached = candidates(x, motion).near(x, motion, 1, 0, may_reach);
     for (ContactPair& pair : reached) {
         of.stiffen(pair);
-        pair.firmness = firm;
+        pair.second_spring = spring_of_pairs;
     }
     return reached;
 }
 
-void NearPairs::set_firmness(Firmness of_springs) {
-    firm = of_springs;
+void NearPairs::set_second_spring(SecondSpring of_springs) {
+    spring_of_pairs = of_springs;
     last.resize(3, 0);
 }
 

@@ -43,7 +43,7 @@ std::vector<PairBlocks::Entry> sorted_in_space(const std::vector<PairBlocks::Ent
 PairBlocks::Block::Block(std::span<const Entry> given, const Positions& x, const MotionCells& in,
                          std::vector<char>& seen)
     : entries(given.begin(), given.end()) {
-    std::ranges::sort(entries, {}, &Entry::room);
+    std::ranges::sort(entries, {}, &Entry::clearance);
     for (const Entry& entry : entries)
         largest_activation = std::max(largest_activation, entry.pair.activation_distance);
     list_vertices(in, seen);
@@ -81,8 +81,9 @@ void PairBlocks::Block::remove(const std::vector<char>& changed, const MotionCel
 
 void PairBlocks::Block::measure(const Positions& x) {
     for (Entry& entry : entries)
-        entry.room = distance(entry.pair, columns(x, entry.pair.vertices)) - entry.pair.activation_distance;
-    std::ranges::sort(entries, {}, &Entry::room);
+        entry.clearance =
+            distance(entry.pair, columns(x, entry.pair.vertices)) - entry.pair.activation_distance;
+    std::ranges::sort(entries, {}, &Entry::clearance);
     reference = x(Eigen::all, vertices);
     measured = true;
     idle = 0;
@@ -128,10 +129,10 @@ void PairBlocks::Block::find_active(const ContactSurface& surface, const Positio
                                     std::vector<ContactPair>& active) {
     if (std::exchange(stale, false))
         for (Entry& entry : entries) entry.pair.stiffness = 0;
-    if (least_room() > cell_spread(moved_cells) + round_off) return;
+    if (least_clearance() > cell_spread(moved_cells) + round_off) return;
     const double reach = spread(x, &reference) + round_off;
     for (Entry& entry : entries) {
-        if (entry.room > reach) break;
+        if (entry.clearance > reach) break;
         if (within(entry.pair.activation_distance, entry.pair, columns(x, entry.pair.vertices))) {
             if (entry.pair.stiffness == 0) surface.stiffen(entry.pair);
             active.push_back(entry.pair);

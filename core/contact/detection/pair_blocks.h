@@ -20,7 +20,7 @@ class PairBlocks {
   public:
     struct Entry {
         ContactPair pair;
-        double room;  ///< m, distance less activation distance
+        double clearance;  ///< m, distance less activation distance
     };
 
     /// Adds pairs with their room at x. From call to call x may differ only at vertices that have changed.
@@ -45,14 +45,14 @@ class PairBlocks {
         return from_blocks(threads, [&](Index b, std::vector<ContactPair>& kept) {
             const Block& block = blocks[b];
             const double around = reserve + (nearness - 1) * block.largest_activation;
-            if (block.least_room() >
+            if (block.least_clearance() >
                 block.cell_spread(moved_cells) + block.cell_spread(moving_cells) + around)
                 return;
             const double moved = block.spread(x, &block.reference);
             const double reach = moved + (motion.cols() > 0 ? block.spread(motion, nullptr) : 0) + around;
             for (const Entry& entry : block.entries) {
-                if (entry.room > reach) break;
-                if (keep(entry.pair, entry.room + entry.pair.activation_distance - moved))
+                if (entry.clearance > reach) break;
+                if (keep(entry.pair, entry.clearance + entry.pair.activation_distance - moved))
                     kept.push_back(entry.pair);
             }
         });
@@ -85,7 +85,7 @@ class PairBlocks {
         void find_active(const ContactSurface& surface, const Positions& x,
                          const std::vector<Box>& moved_cells, double round_off,
                          std::vector<ContactPair>& active);
-        double least_room() const { return entries.front().room; }
+        double least_clearance() const { return entries.front().clearance; }
         /// Bound, m, on the relative motion of any two of the vertices. x: their positions, which moved there
         /// from `from`; or, if that is null, their motions.
         double spread(const Positions& x, const Positions* from) const;

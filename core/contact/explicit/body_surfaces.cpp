@@ -38,7 +38,7 @@ bool ExplicitBodies::passes_shell(std::size_t body, const StepContext& step, con
             then.centre = from.centre + share * (to.centre - from.centre);
             then.rotation = turned(share * turn) * from.rotation;
         }
-        return seen_from(then, step.origin + share * (end - step.origin));
+        return in_frame_of(then, step.origin + share * (end - step.origin));
     });
 }
 
@@ -48,26 +48,27 @@ bool ExplicitBodies::pass_shell(const StepContext& step, const Positions& end) c
     return false;
 }
 
-bool ExplicitBodies::leave_room_for_barriers(const Positions& x) const {
+bool ExplicitBodies::allow_barriers(const Positions& x) const {
     for (std::size_t b = 0; b < all.size(); ++b)
-        if (pairs[b] && !pairs[b]->leave_room_for_barriers(seen_from(all[b], x))) return false;
+        if (pairs[b] && !pairs[b]->allow_barriers(in_frame_of(all[b], x))) return false;
     return true;
 }
 
 double ExplicitBodies::least_share(const std::vector<RigidBody>& places, const Positions& x) const {
     double least = 1;
     for (std::size_t b = 0; b < all.size(); ++b)
-        if (pairs[b]) least = std::min(least, pairs[b]->least_share(seen_from(places[b], x)));
+        if (pairs[b]) least = std::min(least, pairs[b]->least_share(in_frame_of(places[b], x)));
     return least;
 }
 
-void ExplicitBodies::set_firmness(Firmness firmness) {
+void ExplicitBodies::set_second_spring(SecondSpring second_spring) {
     for (const auto& of_body : pairs)
-        if (of_body) of_body->set_firmness(firmness);
+        if (of_body) of_body->set_second_spring(second_spring);
 }
 
-double ExplicitBodies::rate_of_firm_springs(std::size_t body, const StepContext& step, double margin) const {
-    const double times = pairs[body] ? pairs[body]->firmness().stiffness() : 0;
+double ExplicitBodies::rate_of_second_springs(std::size_t body, const StepContext& step,
+                                              double margin) const {
+    const double times = pairs[body] ? pairs[body]->second_spring().stiffness() : 0;
     if (times == 0) return 0;
     const RigidBody& of = all[body];
     const double radius = of.surface->points.colwise().norm().maxCoeff();
@@ -88,9 +89,9 @@ void ExplicitBodies::move_to(double time) {
     for (const auto& two : surfaces) two->move_to(time);
 }
 
-void ExplicitBodies::look(std::span<const Eigen::Isometry3d> places) {
+void ExplicitBodies::update_exemption(std::span<const Eigen::Isometry3d> places) {
     const std::vector<Eigen::Isometry3d> now = with_bodies(places);
-    for (const auto& two : surfaces) two->look({now[two->body], now[two->other]});
+    for (const auto& two : surfaces) two->update_exemption({now[two->body], now[two->other]});
 }
 
 PairPositions ExplicitBodies::friction_of(const SurfacePairs& two, const ContactPair& pair,
@@ -115,23 +116,24 @@ PairPositions ExplicitBodies::friction_of(const SurfacePairs& two, const Contact
 }
 
 void ExplicitBodies::add_surface_pair(const SurfacePairs& two, const PairPositions& at,
-                                      const std::array<Index, 4>& vertices, const PairPositions& pressed,
-                                      const PairPositions& rubbed, ContactForces& sum) {
+                                      const std::array<Index, 4>& vertices,
+                                      const PairPositions& contact_force, const PairPositions& friction_force,
+                                      ContactForces& sum) {
     const bool free = two.other < all.size();
     const std::size_t obstacle = two.other - all.size();
     for (int i = 0; i < 4; ++i) {
         const bool own = vertices[i] >= two.first();
         if (own || free) {
-            push(own ? two.body : two.other, at.col(i), pressed.col(i));
-            rub(own ? two.body : two.other, at.col(i), rubbed.col(i));
+            add_body_force(own ? two.body : two.other, at.col(i), contact_force.col(i));
+            add_friction(own ? two.body : two.other, at.col(i), friction_force.col(i));
         }
         if (own && !free) {
-            sum.obstacles[obstacle].add(at.col(i), pressed.col(i));
-            sum.rub(obstacle, at.col(i), rubbed.col(i));
+            sum.obstacles[obstacle].add(at.col(i), contact_force.col(i));
+            sum.add_friction(obstacle, at.col(i), friction_force.col(i));
         }
         if (!own && !free) {
-            sum.press(first_vertex[obstacle] + vertices[i], pressed.col(i));
-            sum.rub_collider(first_vertex[obstacle] + vertices[i], rubbed.col(i));
+            sum.add_collider_force(first_vertex[obstacle] + vertices[i], contact_force.col(i));
+            sum.add_collider_friction(first_vertex[obstacle] + vertices[i], friction_force.col(i));
         }
     }
 }
@@ -141,7 +143,7 @@ void ExplicitBodies::add_surfaces(double length, std::span<const Eigen::Isometry
     const std::vector<Eigen::Isometry3d> now = with_bodies(obstacle_places);
     for (const auto& met : surfaces) {
         const PairPlaces places{now[met->body], now[met->other]};
-        if (met->passes(places) && !points_hold(*met, obstacle_places))
+        if (met->passes(places) && !contact_points_push(*met, obstacle_places))
             throw std::runtime_error(
                 "contact: a free body passes through another one, or through an obstacle: the springs of "
                 "explicit contact are too weak; a stiffer body, less speed, or implicit steps may help");
@@ -176,7 +178,7 @@ Positions ExplicitBodies::motion_of(const SurfacePairs& two, const StepContext& 
     return moved;
 }
 
-double ExplicitBodies::longest_way(const SurfacePairs& two, const StepContext& step) const {
+double ExplicitBodies::largest_displacement(const SurfacePairs& two, const StepContext& step) const {
     Positions probes(3, 4);
     probes << Vector3d::Zero(), two.radius_of_body() * Matrix3d::Identity();
     probes.colwise() += all[two.body].centre;
@@ -193,7 +195,7 @@ double ExplicitBodies::rate_of_surfaces(const StepContext& step) const {
         const Eigen::Isometry3d there =
             free ? all[two->other].pose() : obstacles[two->other - all.size()].motion.at(step.begin);
         const double stiffness = two->stiffness_within_reach(
-            {all[two->body].pose(), there}, step.end(), longest_way(*two, step),
+            {all[two->body].pose(), there}, step.end(), largest_displacement(*two, step),
             [&](const Positions& points) { return motion_of(*two, step, points); });
         if (stiffness == 0) continue;
         double mobility = largest_mobility(all[two->body], two->radius_of_body());

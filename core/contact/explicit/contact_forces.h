@@ -35,22 +35,22 @@ struct ContactForces {
         obstacle_friction.assign(number_of_obstacles, {});
     }
     /// Adds friction that an obstacle exerts at a point (m), N.
-    void rub(std::size_t obstacle, const Vector3d& at, const Vector3d& rubbed) {
-        obstacles[obstacle].add(at, rubbed);
-        obstacle_friction[obstacle].add(at, rubbed);
+    void add_friction(std::size_t obstacle, const Vector3d& at, const Vector3d& friction_force) {
+        obstacles[obstacle].add(at, friction_force);
+        obstacle_friction[obstacle].add(at, friction_force);
     }
-    /// Adds a force, N, on a vertex of colliders; rub_collider() adds friction.
-    void press(Index vertex, const Vector3d& pressed) {
-        if (deforming.cols() > 0) deforming.col(vertex) += pressed;
+    /// Adds a force, N, on a vertex of colliders; add_collider_friction() adds friction.
+    void add_collider_force(Index vertex, const Vector3d& contact_force) {
+        if (deforming.cols() > 0) deforming.col(vertex) += contact_force;
     }
-    void rub_collider(Index vertex, const Vector3d& rubbed) {
-        press(vertex, rubbed);
-        if (deforming.cols() > 0) deforming_friction.col(vertex) += rubbed;
+    void add_collider_friction(Index vertex, const Vector3d& friction_force) {
+        add_collider_force(vertex, friction_force);
+        if (deforming.cols() > 0) deforming_friction.col(vertex) += friction_force;
     }
     /// Adds friction on a vertex of the shell.
-    void rub(Index vertex, const Vector3d& rubbed) {
-        force.col(vertex) += rubbed;
-        friction.col(vertex) += rubbed;
+    void add_friction(Index vertex, const Vector3d& friction_force) {
+        force.col(vertex) += friction_force;
+        friction.col(vertex) += friction_force;
     }
 };
 

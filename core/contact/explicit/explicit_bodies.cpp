@@ -53,14 +53,14 @@ void ExplicitBodies::shell_changed(const ShellChange& change) {
 void ExplicitBodies::begin(std::span<const Eigen::Isometry3d> places) {
     started = all;
     of_contact = of_friction = of_weight = 0;
-    crossed_then = crossed();
+    crossed_at_start = crossed();
     const std::vector<Eigen::Isometry3d> now = with_bodies(places);
     for (const auto& two : surfaces) two->place({now[two->body], now[two->other]});
 }
 
 void ExplicitBodies::restart() {
     all = started;
-    for (std::size_t i = 0; i < surfaces.size(); ++i) surfaces[i]->set_crossed(crossed_then[i]);
+    for (std::size_t i = 0; i < surfaces.size(); ++i) surfaces[i]->set_crossed(crossed_at_start[i]);
 }
 
 const Collider& ExplicitBodies::collider(std::size_t number) const {
@@ -84,12 +84,12 @@ void ExplicitBodies::drift(double length) {
     }
 }
 
-void ExplicitBodies::push(std::size_t body, const Vector3d& at, const Vector3d& force) {
+void ExplicitBodies::add_body_force(std::size_t body, const Vector3d& at, const Vector3d& force) {
     forces[body].add(at - all[body].centre, force);
 }
 
-void ExplicitBodies::rub(std::size_t body, const Vector3d& at, const Vector3d& force) {
-    push(body, at, force);
+void ExplicitBodies::add_friction(std::size_t body, const Vector3d& at, const Vector3d& force) {
+    add_body_force(body, at, force);
     friction[body].add(at - all[body].centre, force);
 }
 
@@ -102,7 +102,7 @@ Vector3d ExplicitBodies::velocity_at(std::size_t body, const Vector3d& at) const
     return all[body].velocity + all[body].spin().cross(at - all[body].centre);
 }
 
-Positions ExplicitBodies::seen_from(const RigidBody& body, const Positions& x) {
+Positions ExplicitBodies::in_frame_of(const RigidBody& body, const Positions& x) {
     const Positions& of_body = body.surface->points;
     Positions together(3, of_body.cols() + x.cols());
     together << of_body, body.pose().inverse() * x;
@@ -115,14 +115,14 @@ void ExplicitBodies::add_vertices(std::size_t body, const Substep& substep, Cont
         substep.position, all[body].pose(), Curvature::convex, [&](Index v, const PointForce& spring) {
             const Vector3d at = substep.position.col(v), normal = spring.gradient.normalized();
             sum.force.col(v) -= spring.gradient;
-            push(body, at, spring.gradient);
+            add_body_force(body, at, spring.gradient);
             if (coefficient > 0) {
                 const Vector3d way = substep.velocity.col(v) - velocity_at(body, at);
                 const Vector3d slip = way - normal * normal.dot(way);
-                const Vector3d rubbed = explicit_friction(coefficient * spring.gradient.norm(), slip,
-                                                          shell.mass[v], substep.length);
-                sum.rub(v, rubbed);
-                rub(body, at, -rubbed);
+                const Vector3d friction_force = explicit_friction(coefficient * spring.gradient.norm(), slip,
+                                                                  shell.mass[v], substep.length);
+                sum.add_friction(v, friction_force);
+                add_friction(body, at, -friction_force);
             }
         });
 }
@@ -154,18 +154,19 @@ PairPositions ExplicitBodies::friction_of(std::size_t body, const ContactPair& p
 }
 
 void ExplicitBodies::add_pairs(std::size_t body, const Substep& substep, ContactForces& sum) {
-    const Positions local = seen_from(all[body], substep.position);
+    const Positions local = in_frame_of(all[body], substep.position);
     const Index first = all[body].surface->size();
     for (const ContactPair& pair : pairs[body]->active_pairs(local)) {
         const PairPositions at = all[body].pose() * columns(local, pair.vertices);
-        const PairPositions pressed = -gradient(pair, at), rubbed = friction_of(body, pair, at, substep);
+        const PairPositions contact_force = -gradient(pair, at),
+                            friction_force = friction_of(body, pair, at, substep);
         for (int i = 0; i < 4; ++i) {
             if (pair.vertices[i] < first) {
-                push(body, at.col(i), pressed.col(i));
-                rub(body, at.col(i), rubbed.col(i));
+                add_body_force(body, at.col(i), contact_force.col(i));
+                add_friction(body, at.col(i), friction_force.col(i));
             } else {
-                sum.force.col(pair.vertices[i] - first) += pressed.col(i);
-                sum.rub(pair.vertices[i] - first, rubbed.col(i));
+                sum.force.col(pair.vertices[i] - first) += contact_force.col(i);
+                sum.add_friction(pair.vertices[i] - first, friction_force.col(i));
             }
         }
     }
@@ -182,7 +183,8 @@ void ExplicitBodies::each_point(std::span<const Eigen::Isometry3d> places, Add a
     }
 }
 
-bool ExplicitBodies::points_hold(const SurfacePairs& two, std::span<const Eigen::Isometry3d> places) const {
+bool ExplicitBodies::contact_points_push(const SurfacePairs& two,
+                                         std::span<const Eigen::Isometry3d> places) const {
     bool hold = false;
     each_point(places, [&](std::size_t body, std::size_t other, const Overlap&, const Vector3d&) {
         hold |= (body == two.body && other == two.other) || (body == two.other && other == two.body);
@@ -213,7 +215,7 @@ void ExplicitBodies::add_points(const Substep& substep, std::span<const Eigen::I
     each_point(places, [&](std::size_t body, std::size_t other, const Overlap& found, const Vector3d& at) {
         const bool free = other < all.size();
         const double stiffness = all[body].point_stiffness(collider(other));
-        const PointForce pressed = spring(found, stiffness, Curvature::convex);
+        const PointForce contact_force = spring(found, stiffness, Curvature::convex);
         const Vector3d normal = found.normal.normalized();
         const Vector3d touched = at - all[body].contact_radius * normal;
         const Vector3d there = free ? velocity_at(other, touched)
@@ -222,17 +224,17 @@ void ExplicitBodies::add_points(const Substep& substep, std::span<const Eigen::I
         const Vector3d way = velocity_at(body, touched) - there, slip = way - normal * normal.dot(way);
         const double arm = (touched - all[body].centre).squaredNorm();
         const double mass = all[body].mass / (1 + all[body].mass * arm / all[body].inertia.minCoeff());
-        const Vector3d rubbed =
-            explicit_friction(friction_between(all[body], collider(other)) * pressed.gradient.norm(), slip,
-                              mass, substep.length);
-        push(body, at, -pressed.gradient);
-        rub(body, touched, rubbed);
+        const Vector3d friction_force =
+            explicit_friction(friction_between(all[body], collider(other)) * contact_force.gradient.norm(),
+                              slip, mass, substep.length);
+        add_body_force(body, at, -contact_force.gradient);
+        add_friction(body, touched, friction_force);
         if (free) {
-            push(other, at, pressed.gradient);
-            rub(other, touched, -rubbed);
+            add_body_force(other, at, contact_force.gradient);
+            add_friction(other, touched, -friction_force);
         } else {
-            sum.obstacles[other - all.size()].add(touched, -pressed.gradient);
-            sum.rub(other - all.size(), touched, rubbed);
+            sum.obstacles[other - all.size()].add(touched, -contact_force.gradient);
+            sum.add_friction(other - all.size(), touched, friction_force);
         }
     });
 }
@@ -243,7 +245,7 @@ double ExplicitBodies::stored_energy(const Positions& x, std::span<const Eigen::
         at_vertices[b].add_springs(x, all[b].pose(), Curvature::convex,
                                    [&](Index, const PointForce& spring) { sum += spring.value; });
         if (!pairs[b]) continue;
-        const Positions local = seen_from(all[b], x);
+        const Positions local = in_frame_of(all[b], x);
         for (const ContactPair& pair : pairs[b]->active_pairs(local))
             sum += value(pair, columns(local, pair.vertices));
     }
@@ -265,7 +267,7 @@ double ExplicitBodies::largest_rate(const StepContext& step, double margin) cons
     for (std::size_t b = 0; b < all.size(); ++b) {
         const double reach = margin + (pairs[b] ? longest : 0);
         largest = std::max(largest, 2 * at_vertices[b].largest_rate(step.origin, all[b].pose(), reach) +
-                                        rate_of_firm_springs(b, step, reach));
+                                        rate_of_second_springs(b, step, reach));
     }
     for (const auto& [body, other, point] : points) {
         const double turning = all[body].mass * point.squaredNorm() / all[body].inertia.minCoeff();
@@ -282,7 +284,7 @@ void ExplicitBodies::add_touch(const Positions& x, std::span<const Eigen::Isomet
         Touch own;
         at_vertices[b].add_touch(x, all[b].pose(), own);
         std::set<const ColliderSurface*> itself;
-        if (pairs[b]) pairs[b]->add_touched(seen_from(all[b], x), own.vertices, itself);
+        if (pairs[b]) pairs[b]->add_touched(in_frame_of(all[b], x), own.vertices, itself);
         if (!own.vertices.empty()) touch.bodies.insert(b);
         touch.include(own);
     }

@@ -33,7 +33,7 @@ class ExplicitBodies {
     /// Advances deforming surfaces to `time` (s), the end of a substep.
     void move_to(double time);
     /// Ends the exemption of crossed surfaces that are apart. places: poses of the obstacles.
-    void look(std::span<const Eigen::Isometry3d> places);
+    void update_exemption(std::span<const Eigen::Isometry3d> places);
     void shell_changed(const ShellChange& change);
     /// Changes the velocities in half a substep of `length` s, by gravity and the forces that were added
     /// last.
@@ -50,11 +50,11 @@ class ExplicitBodies {
     /// V] m and bodies along their screws.
     bool pass_shell(const StepContext& step, const Positions& end) const;
     /// See SheetContact; x: [3, V] m.
-    bool leave_room_for_barriers(const Positions& x) const;
+    bool allow_barriers(const Positions& x) const;
     /// See NearPairs; x: [3, V] m. The bodies are at the beginning of the step, or at their present poses.
     double least_share_at_start(const Positions& x) const { return least_share(started, x); }
     double least_share_at_end(const Positions& x) const { return least_share(all, x); }
-    void set_firmness(Firmness firmness);
+    void set_second_spring(SecondSpring second_spring);
 
     const std::vector<RigidBody>& bodies() const { return all; }
     /// Elastic energy, J, of the contacts with the shell at x and the obstacles at these poses.
@@ -71,9 +71,9 @@ class ExplicitBodies {
     std::vector<char> crossed() const { return crossed_surfaces(surfaces); }  ///< see surface_pairs()
     void visit_state(StateVisitor& visit) {
         auto& [shell, obstacles, gravity, longest, all, started, at_vertices, pairs, points, surfaces,
-               first_vertex, crossed_then, forces, before, friction, friction_before, moved, of_contact,
+               first_vertex, crossed_at_start, forces, before, friction, friction_before, moved, of_contact,
                of_friction, of_weight] = *this;
-        visit(longest, all, started, at_vertices, pairs, surfaces, crossed_then, forces, before, friction,
+        visit(longest, all, started, at_vertices, pairs, surfaces, crossed_at_start, forces, before, friction,
               friction_before, moved, of_contact, of_friction, of_weight);
     }
 
@@ -86,9 +86,9 @@ class ExplicitBodies {
             torque += arm.cross(one);
         }
     };
-    /// Adds a contact force (N) at a point of a body; rub() adds friction.
-    void push(std::size_t body, const Vector3d& at, const Vector3d& force);
-    void rub(std::size_t body, const Vector3d& at, const Vector3d& force);
+    /// Adds a contact force (N) at a point of a body; add_friction() adds friction.
+    void add_body_force(std::size_t body, const Vector3d& at, const Vector3d& force);
+    void add_friction(std::size_t body, const Vector3d& at, const Vector3d& force);
     /// Work, J, of forces on a body in the last substep, from the forces at its two ends.
     double work(const Force& start, const Force& end, std::size_t body) const;
     Vector3d velocity_at(std::size_t body, const Vector3d& at) const;
@@ -106,23 +106,23 @@ class ExplicitBodies {
     /// Adds the forces of surfaces of bodies and obstacles on each other.
     void add_surfaces(double length, std::span<const Eigen::Isometry3d> places, ContactForces& sum);
     void add_surface_pair(const SurfacePairs& two, const PairPositions& at,
-                          const std::array<Index, 4>& vertices, const PairPositions& pressed,
-                          const PairPositions& rubbed, ContactForces& sum);
+                          const std::array<Index, 4>& vertices, const PairPositions& contact_force,
+                          const PairPositions& friction_force, ContactForces& sum);
     /// sharing: number of pairs that may stop the same sliding; length: s, of the substep.
     PairPositions friction_of(const SurfacePairs& two, const ContactPair& pair, const PairPositions& at,
                               const PairPlaces& places, double sharing, double length) const;
     /// Whether contact points of either collider push the other one.
-    bool points_hold(const SurfacePairs& two, std::span<const Eigen::Isometry3d> places) const;
+    bool contact_points_push(const SurfacePairs& two, std::span<const Eigen::Isometry3d> places) const;
     /// The square of frequencies, 1/s^2, that second springs (Firmness) add to those of the body or of
     /// vertices within `margin`, m.
-    double rate_of_firm_springs(std::size_t body, const StepContext& step, double margin) const;
+    double rate_of_second_springs(std::size_t body, const StepContext& step, double margin) const;
     /// The square of frequencies, 1/s^2, that surfaces may add to those of any body in the step.
     double rate_of_surfaces(const StepContext& step) const;
     /// Motion, m, in the step of the body's points, [3, P] m in space, relative to the other collider and in
     /// its frame.
     Positions motion_of(const SurfacePairs& two, const StepContext& step, const Positions& points) const;
     /// Upper bound, m, on the motion of the body's points in motion_of().
-    double longest_way(const SurfacePairs& two, const StepContext& step) const;
+    double largest_displacement(const SurfacePairs& two, const StepContext& step) const;
     /// Poses of all colliders, bodies first; empty where no surfaces collide.
     std::vector<Eigen::Isometry3d> with_bodies(std::span<const Eigen::Isometry3d> places) const;
     ContactSurface with_surface(std::size_t body) const;
@@ -133,7 +133,7 @@ class ExplicitBodies {
     double least_share(const std::vector<RigidBody>& places, const Positions& x) const;
     bool passes_shell(std::size_t body, const StepContext& step, const Positions& end) const;
     /// Positions, m, of a body's points and the shell's vertices, in the body's frame.
-    static Positions seen_from(const RigidBody& body, const Positions& x);
+    static Positions in_frame_of(const RigidBody& body, const Positions& x);
     const Collider& collider(std::size_t number) const;
 
     const Shell& shell;
@@ -145,9 +145,9 @@ class ExplicitBodies {
     std::vector<std::unique_ptr<NearPairs>> pairs;  ///< shell and each body's surface; null without one
     std::vector<PointContact> points;
     std::vector<std::unique_ptr<SurfacePairs>> surfaces;
-    std::vector<Index> first_vertex;    ///< first vertex of each obstacle in ContactForces::deforming
-    std::vector<char> crossed_then;     ///< crossed() at the beginning of the step
-    std::vector<Force> forces, before;  ///< on each body, at the last two evaluations
+    std::vector<Index> first_vertex;     ///< first vertex of each obstacle in ContactForces::deforming
+    std::vector<char> crossed_at_start;  ///< crossed() at the beginning of the step
+    std::vector<Force> forces, before;   ///< on each body, at the last two evaluations
     std::vector<Force> friction, friction_before;  ///< friction's part of these forces
     std::vector<Vector6d> moved;                   ///< m, rad, motion of each body in the last substep
     double of_contact = 0, of_friction = 0, of_weight = 0;  ///< J

@@ -12,7 +12,7 @@
 namespace sherd {
 namespace {
 
-constexpr std::uint8_t most_firm = 2, most_halvings = 3;
+constexpr std::uint8_t stiffest_second_spring = 2, most_halvings = 3;
 
 }  // namespace
 
@@ -22,7 +22,7 @@ ExplicitContact::ExplicitContact(const Shell& shell, ContactOptions given, const
       shell(shell),
       threads(threads),
       bodies(shell, start.bodies, options.obstacles, gravity, start.crossed),
-      lips(shell.lips) {
+      crack_faces(shell.crack_faces) {
     const std::vector<Obstacle>& obstacles = options.obstacles;
     for (const Obstacle& obstacle : obstacles) at_vertices.emplace_back(shell, obstacle, at_vertices.size());
     place(0, 0);
@@ -47,7 +47,7 @@ void ExplicitContact::place(double from, double time) {
 
 void ExplicitContact::begin(double time, bool first) {
     place(time, time);
-    if (first) bodies.look(now);
+    if (first) bodies.update_exemption(now);
     bodies.begin(now);
 }
 
@@ -75,39 +75,39 @@ void ExplicitContact::add_obstacles(const Substep& at_end, ContactForces& sum) c
                 const Vector3d way =
                     at_end.velocity.col(v) - velocity_of_point(before[o], now[o], at, at_end.length);
                 const Vector3d slip = way - normal * normal.dot(way);
-                const Vector3d rubbed = explicit_friction(coefficient * spring.gradient.norm(), slip,
-                                                          shell.mass[v], at_end.length);
+                const Vector3d friction_force = explicit_friction(coefficient * spring.gradient.norm(), slip,
+                                                                  shell.mass[v], at_end.length);
                 sum.force.col(v) -= spring.gradient;
                 sum.obstacles[o].add(at, -spring.gradient);
-                sum.rub(v, rubbed);
-                sum.rub(o, at, rubbed);
+                sum.add_friction(v, friction_force);
+                sum.add_friction(o, at, friction_force);
             });
     }
 }
 
 void ExplicitContact::add_sheets(const Substep& at_end, ContactForces& sum) const {
-    if (!shell.lips.empty()) sum.force += lip_forces(at_end.position);
+    if (!shell.crack_faces.empty()) sum.force += crack_face_forces(at_end.position);
     const Positions& all = sheets->at_end(at_end.position);
     const Index first = sheets->surface().collider_vertices();
     const std::vector<ContactPair>& pairs = sheets->active_pairs_of(all);
     threads.share_lots<PairPositions>(
         pairs.size(),
-        [&](std::size_t i, PairPositions& pressed) {
-            pressed = -gradient(pairs[i], columns(all, pairs[i].vertices));
+        [&](std::size_t i, PairPositions& contact_force) {
+            contact_force = -gradient(pairs[i], columns(all, pairs[i].vertices));
         },
         [&](std::size_t i, std::span<const PairPositions> lot) {
-            for (const PairPositions& pressed : lot) {
+            for (const PairPositions& contact_force : lot) {
                 const std::array<Index, 4>& vertices = pairs[i++].vertices;
                 const Index least = *std::ranges::min_element(vertices);
                 for (int v = 0; v < 4; ++v) {
                     if (vertices[v] < first) {
-                        sum.press(vertices[v], pressed.col(v));
+                        sum.add_collider_force(vertices[v], contact_force.col(v));
                         continue;
                     }
-                    sum.force.col(vertices[v] - first) += pressed.col(v);
+                    sum.force.col(vertices[v] - first) += contact_force.col(v);
                     if (least < first)
                         sum.obstacles[sheets->obstacle_number(least)].add(all.col(vertices[v]),
-                                                                          pressed.col(v));
+                                                                          contact_force.col(v));
                 }
             }
         });
@@ -143,19 +143,22 @@ void ExplicitContact::add_sheet_friction(const Substep& at_end, const Positions&
     const std::vector<ContactPair>& pairs = sheets->active_pairs_of(all);
     threads.share_lots<PairPositions>(
         pairs.size(),
-        [&](std::size_t i, PairPositions& rubbed) { rubbed = friction_of(pairs[i], at_end, all); },
+        [&](std::size_t i, PairPositions& friction_force) {
+            friction_force = friction_of(pairs[i], at_end, all);
+        },
         [&](std::size_t i, std::span<const PairPositions> lot) {
-            for (const PairPositions& rubbed : lot) {
+            for (const PairPositions& friction_force : lot) {
                 const std::array<Index, 4>& vertices = pairs[i++].vertices;
                 const Index least = *std::ranges::min_element(vertices);
                 for (int v = 0; v < 4; ++v) {
                     if (vertices[v] < first) {
-                        sum.rub_collider(vertices[v], rubbed.col(v));
+                        sum.add_collider_friction(vertices[v], friction_force.col(v));
                         continue;
                     }
-                    sum.rub(vertices[v] - first, rubbed.col(v));
+                    sum.add_friction(vertices[v] - first, friction_force.col(v));
                     if (least < first)
-                        sum.rub(sheets->obstacle_number(least), all.col(vertices[v]), rubbed.col(v));
+                        sum.add_friction(sheets->obstacle_number(least), all.col(vertices[v]),
+                                         friction_force.col(v));
                 }
             }
         });
@@ -167,7 +170,7 @@ double ExplicitContact::stored_energy(const Positions& x) const {
         at_vertices[o].add_springs(x, now[o], Curvature::convex,
                                    [&](Index, const PointForce& spring) { sum += spring.value; });
     if (sheets) sum += sheets->value(x);
-    if (options.sheets) sum += lips.value(x);
+    if (options.sheets) sum += crack_faces.value(x);
     return sum;
 }
 
@@ -197,8 +200,8 @@ double ExplicitContact::largest_rate(const StepContext& step, const Positions& m
                                                   pair.largest_stiffness() /
                                                   shell.mass[pair.vertices[i] - first];
     }
-    for (const LipStencil& lip : shell.lips)
-        for (const Index v : lip.vertices) rate[v] += 2 * lip.stiffness / shell.mass[v];
+    for (const CrackFaceStencil& crack_face : shell.crack_faces)
+        for (const Index v : crack_face.vertices) rate[v] += 2 * crack_face.stiffness / shell.mass[v];
     return sum + rate.maxCoeff();
 }
 
@@ -209,13 +212,13 @@ double ExplicitContact::obstacle_work(std::span<const Reaction> forces, const Po
             sum += work(forces[o], before[o], now[o]);
     for (Index v = 0; v < static_cast<Index>(on_deforming.cols()); ++v)
         if (options.obstacles[sheets->obstacle_number(v)].deformation != nullptr)
-            sum -= on_deforming.col(v).dot(sheets->way_of_collider(v));
+            sum -= on_deforming.col(v).dot(sheets->collider_displacement(v));
     return sum;
 }
 
 bool ExplicitContact::end(const StepContext& step, const Positions& end_of_sheets) {
-    bodies.look(now);
-    if (options.barriers_follow && !leaves_room_for_barriers(end_of_sheets))
+    bodies.update_exemption(now);
+    if (options.barriers_follow && !allows_barriers(end_of_sheets))
         throw std::runtime_error(
             "contact: a sheet is pressed so deep into another one, an obstacle or a body that implicit steps "
             "could not continue from there: the springs of explicit contact are too weak; a stiffer or a "
@@ -224,7 +227,7 @@ bool ExplicitContact::end(const StepContext& step, const Positions& end_of_sheet
         relax(end_of_sheets);
         return true;
     }
-    if (!options.barriers_follow && become_firmer(step)) return false;
+    if (!options.barriers_follow && stiffen_springs(step)) return false;
     refuse_passage();
 }
 
@@ -244,41 +247,41 @@ bool ExplicitContact::passes(const StepContext& step, const Positions& end) {
     return passes;
 }
 
-bool ExplicitContact::leaves_room_for_barriers(const Positions& end) const {
-    return bodies.leave_room_for_barriers(end) && (!sheets || sheets->leaves_room_for_barriers(end));
+bool ExplicitContact::allows_barriers(const Positions& end) const {
+    return bodies.allow_barriers(end) && (!sheets || sheets->allows_barriers(end));
 }
 
-void ExplicitContact::set_firmness(Firmness of_pairs) {
-    firmness = of_pairs;
-    bodies.set_firmness(firmness);
-    if (sheets) sheets->set_firmness(firmness);
+void ExplicitContact::set_second_spring(SecondSpring of_pairs) {
+    second_spring = of_pairs;
+    bodies.set_second_spring(second_spring);
+    if (sheets) sheets->set_second_spring(second_spring);
 }
 
-bool ExplicitContact::become_firmer(const StepContext& step) {
+bool ExplicitContact::stiffen_springs(const StepContext& step) {
     double least = bodies.least_share_at_start(step.origin);
     if (sheets) {
         sheets->begin(step);
         least = std::min(least, sheets->least_share_at_start(step.origin));
         sheets->begin(substep);
     }
-    if (firmness.degree == most_firm) return false;
-    Firmness firmer{static_cast<std::uint8_t>(firmness.degree + 1)};
-    while (firmer.share() > least && firmer.halvings < most_halvings) ++firmer.halvings;
-    if (firmer.share() > least) return false;
-    set_firmness(firmer);
+    if (second_spring.degree == stiffest_second_spring) return false;
+    SecondSpring stiffer{static_cast<std::uint8_t>(second_spring.degree + 1)};
+    while (stiffer.share() > least && stiffer.halvings < most_halvings) ++stiffer.halvings;
+    if (stiffer.share() > least) return false;
+    set_second_spring(stiffer);
     return true;
 }
 
 void ExplicitContact::relax(const Positions& end) {
-    if (firmness.degree == 0) return;
+    if (second_spring.degree == 0) return;
     double least = bodies.least_share_at_end(end);
     if (sheets) least = std::min(least, sheets->least_share_at_end(end));
-    if (least >= firmness.share()) set_firmness({});
+    if (least >= second_spring.share()) set_second_spring({});
 }
 
-Positions ExplicitContact::lip_forces(const Positions& x) const {
+Positions ExplicitContact::crack_face_forces(const Positions& x) const {
     Positions gradient = Positions::Zero(3, x.cols());
-    if (options.sheets) lips.add_gradient(x, gradient);
+    if (options.sheets) crack_faces.add_gradient(x, gradient);
     return -gradient;
 }
 

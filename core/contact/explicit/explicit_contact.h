@@ -5,15 +5,15 @@
 
 #include "core/contact/colliders/touch.h"
 #include "core/contact/contact_options.h"
+#include "core/contact/crack_faces/crack_face.h"
 #include "core/contact/explicit/explicit_bodies.h"
-#include "core/contact/lips/lip.h"
 #include "core/contact/penalty/vertex_contact.h"
 #include "core/contact/sheets/sheet_contact.h"
 #include "core/state_visitor.h"
 
 namespace sherd {
 
-/// All contact of a run in explicit steps. Springs at vertices and at crack faces (lips), and columns of
+/// All contact of a run in explicit steps. Springs at vertices and at crack faces, and columns of
 /// sheet, are those of implicit steps (Contact), but pairs of elements are springs, too, and friction is a
 /// force at the present velocity that never reverses the sliding.
 class ExplicitContact {
@@ -51,21 +51,21 @@ class ExplicitContact {
     ExplicitBodies& of_bodies() { return bodies; }
     const ExplicitBodies& of_bodies() const { return bodies; }
     Touch touch(const Positions& x) const;
-    Positions lip_forces(const Positions& x) const;                                   ///< N, [3, V]
-    double lip_overlap(const Positions& x) const { return lips.largest_overlap(x); }  ///< m
+    Positions crack_face_forces(const Positions& x) const;  ///< N, [3, V]
+    double crack_face_overlap(const Positions& x) const { return crack_faces.largest_overlap(x); }  ///< m
     void visit_state(StateVisitor& visit) {
-        auto& [options, shell, threads, bodies, at_vertices, substep, before, now, sheets, lips, firmness] =
-            *this;
-        visit(bodies, at_vertices, substep, before, now, sheets, lips, firmness);
+        auto& [options, shell, threads, bodies, at_vertices, substep, before, now, sheets, crack_faces,
+               second_spring] = *this;
+        visit(bodies, at_vertices, substep, before, now, sheets, crack_faces, second_spring);
     }
 
   private:
     bool passes(const StepContext& step, const Positions& end);
-    bool leaves_room_for_barriers(const Positions& end) const;
-    void set_firmness(Firmness of_pairs);
+    bool allows_barriers(const Positions& end) const;
+    void set_second_spring(SecondSpring of_pairs);
     /// Makes the second springs (Firmness) stiffer, in a range that no pair has entered at the beginning of
     /// the step. Returns false if there is none, or if they are as stiff as they may be.
-    bool become_firmer(const StepContext& step);
+    bool stiffen_springs(const StepContext& step);
     /// Removes the second springs if no pair at the end of the step is in their range.
     void relax(const Positions& end);
     void add_obstacles(const Substep& substep, ContactForces& sum) const;
@@ -83,8 +83,8 @@ class ExplicitContact {
     StepContext substep;                         ///< from the obstacles' last poses to their present ones
     std::vector<Eigen::Isometry3d> before, now;  ///< poses of the obstacles at its beginning and its end
     std::unique_ptr<SheetContact> sheets;        ///< null if no surfaces collide
-    LipContact lips;
-    Firmness firmness;  ///< second spring of all pairs
+    CrackFaceContact crack_faces;
+    SecondSpring second_spring;  ///< second spring of all pairs
 };
 
 }  // namespace sherd

@@ -17,8 +17,9 @@ PairPositions pair_friction(const ContactPair& pair, const PairPositions& at, co
     const Vector3d slip = sliding.slip * velocity.reshaped();
     if (slip.isZero(0)) return PairPositions::Zero();
     const PairPositions along = (sliding.slip.transpose() * slip.normalized()).reshaped(3, 4);
-    const Vector3d rubbed = explicit_friction(sliding.friction.limit, slip, 1 / mobility(along), length);
-    return -rubbed.norm() * along;
+    const Vector3d friction_force =
+        explicit_friction(sliding.friction.limit, slip, 1 / mobility(along), length);
+    return -friction_force.norm() * along;
 }
 
 }  // namespace sherd

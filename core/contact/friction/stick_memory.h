@@ -10,28 +10,28 @@
 
 namespace sherd {
 
-/// Elastic slip of contacts (Friction::held), stored from one step to the next in multiples of
+/// Elastic slip of contacts (Friction::elastic_slip), stored from one step to the next in multiples of
 /// Friction::smoothing, so that the force stays the same when the step's length changes. Key: of a contact,
 /// with an order.
 template <class Key>
 class StickMemory {
   public:
     /// Returns zero for a contact that the last step did not have.
-    Vector3d of(const Key& key) const {
-        const auto found = std::ranges::lower_bound(kept, key, {}, &Kept::first);
-        return found != kept.end() && found->first == key ? found->second : Vector3d::Zero();
+    Vector3d slip_of(const Key& key) const {
+        const auto found = std::ranges::lower_bound(entries, key, {}, &Entry::first);
+        return found != entries.end() && found->first == key ? found->second : Vector3d::Zero();
     }
-    void clear() { kept.clear(); }
+    void clear() { entries.clear(); }
     /// Stores the elastic slip of a contact. Each contact comes once, in ascending order, unless sort()
     /// follows.
-    void keep(const Key& key, const Vector3d& held) { kept.emplace_back(key, held); }
-    void sort() { std::ranges::sort(kept, {}, &Kept::first); }
+    void keep(const Key& key, const Vector3d& elastic_slip) { entries.emplace_back(key, elastic_slip); }
+    void sort() { std::ranges::sort(entries, {}, &Entry::first); }
 
-    void visit_state(StateVisitor& visit) { visit(kept); }
+    void visit_state(StateVisitor& visit) { visit(entries); }
 
   private:
-    using Kept = std::pair<Key, Vector3d>;
-    std::vector<Kept> kept;
+    using Entry = std::pair<Key, Vector3d>;
+    std::vector<Entry> entries;
 };
 
 }  // namespace sherd

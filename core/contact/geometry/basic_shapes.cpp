@@ -91,11 +91,11 @@ Eigen::AlignedBox3d CylinderShape::bounds() const {
     return {centre - reach, centre + reach};
 }
 
-SurfaceDistance BareSurface::distance(const Vector3d&) const {
+SurfaceDistance OpenSurface::distance(const Vector3d&) const {
     return {std::numeric_limits<double>::infinity(), Vector3d::Zero(), Matrix3d::Zero()};
 }
 
-Eigen::AlignedBox3d BareSurface::bounds() const {
+Eigen::AlignedBox3d OpenSurface::bounds() const {
     return {};
 }
 

@@ -51,7 +51,7 @@ struct CylinderShape : Shape {
 };
 
 /// Shape of a surface without inside, which is open or deforms. Sheets collide with its triangles only.
-struct BareSurface : Shape {
+struct OpenSurface : Shape {
     SurfaceDistance distance(const Vector3d& at) const override;  ///< infinite
     Eigen::AlignedBox3d bounds() const override;                  ///< empty
 };

@@ -10,7 +10,7 @@ void ObstacleContact::begin(const StepContext& step) {
     // round-off.
     const Eigen::Isometry3d moved =
         obstacle.moves() ? pose * before.inverse() : Eigen::Isometry3d::Identity();
-    contact.begin(before, moved.linear(), step.length, held,
+    contact.begin(before, moved.linear(), step.length, elastic_slip,
                   [&](const Vector3d& x) { return Vector3d(moved * x); });
 }
 

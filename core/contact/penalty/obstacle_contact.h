@@ -15,7 +15,7 @@ class ObstacleContact : public Energy {
     ObstacleContact(const Shell& shell, const Obstacle& obstacle, std::size_t number = 0)
         : shell(shell), obstacle(obstacle), contact(shell, obstacle, number) {}
     void begin(const StepContext& step) override;
-    void finish(const Positions& x) { contact.hold(x, Eigen::Isometry3d::Identity(), held); }
+    void finish(const Positions& x) { contact.store_slip(x, Eigen::Isometry3d::Identity(), elastic_slip); }
     double value(const Positions& x) const override;  ///< J, with the friction potential
     void add_gradient(const Positions& x, Positions& gradient) const override;
     void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const override;
@@ -31,8 +31,8 @@ class ObstacleContact : public Energy {
     void add_touch(const Positions& x, Touch& touch) const { contact.add_touch(x, pose, touch); }
 
     void visit_state(StateVisitor& visit) override {
-        auto& [shell, obstacle, contact, held, before, pose] = *this;
-        visit(contact, held, before, pose);
+        auto& [shell, obstacle, contact, elastic_slip, before, pose] = *this;
+        visit(contact, elastic_slip, before, pose);
     }
 
   private:
@@ -43,9 +43,9 @@ class ObstacleContact : public Energy {
 
     const Shell& shell;
     const Obstacle& obstacle;
-    VertexContact contact;           ///< anchors in space
-    StickMemory<Index> held;         ///< elastic slip at the end of the last finished step
-    Eigen::Isometry3d before, pose;  ///< at the beginning and at the end of the step
+    VertexContact contact;            ///< anchors in space
+    StickMemory<Index> elastic_slip;  ///< elastic slip at the end of the last finished step
+    Eigen::Isometry3d before, pose;   ///< at the beginning and at the end of the step
 };
 
 }  // namespace sherd

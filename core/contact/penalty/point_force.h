@@ -35,9 +35,10 @@ struct SlidingPoint {
         const Matrix3d tangent = Matrix3d::Identity() - normal * normal.transpose();
         return {friction.value(slip), friction.gradient(slip), friction.hessian(slip, tangent)};
     }
-    /// Elastic slip for the next step (Friction::held_after()) when the point is at x (m); anchor: in space.
-    Vector3d held_after(const Vector3d& x, const Vector3d& anchor) const {
-        return friction.held_after(along(x - anchor));
+    /// Elastic slip for the next step (Friction::elastic_slip_after()) when the point is at x (m); anchor: in
+    /// space.
+    Vector3d elastic_slip_after(const Vector3d& x, const Vector3d& anchor) const {
+        return friction.elastic_slip_after(along(x - anchor));
     }
 
   private:
@@ -46,12 +47,13 @@ struct SlidingPoint {
 
 /// Friction of a point that overlaps a collider, with the spring's force there as normal force. turn:
 /// rotation applied to the normal, whose length sampled shapes give only near one, and to the elastic slip
-/// `held` (StickMemory); length: s, of the step.
+/// `elastic_slip` (StickMemory); length: s, of the step.
 inline SlidingPoint sliding_point(const Vector3d& anchor, const Overlap& at, const Matrix3d& turn,
-                                  double coefficient, double stiffness, double length, const Vector3d& held) {
+                                  double coefficient, double stiffness, double length,
+                                  const Vector3d& elastic_slip) {
     const double norm = at.normal.norm(), smoothing = smoothing_speed * length;
     const Vector3d normal = norm > 0 ? Vector3d(turn * at.normal / norm) : at.normal;
-    const Vector3d turned = turn * held;
+    const Vector3d turned = turn * elastic_slip;
     return {anchor,
             normal,
             {coefficient * stiffness * at.depth * norm, smoothing,

@@ -31,17 +31,18 @@ class VertexContact {
 
     /// Records which vertices touch the collider, whose pose is `pose`, at the beginning of the step.
     /// anchor(x): the anchor (see SlidingPoint) of a vertex at x. turn: the collider's rotation in the step,
-    /// applied to normals. length: s. held: elastic slip of vertices, in space.
+    /// applied to normals. length: s. elastic_slip: elastic slip of vertices, in space.
     template <class Anchor>
     void begin(const Eigen::Isometry3d& pose, const Matrix3d& turn, double length,
-               const StickMemory<Index>& held, Anchor anchor) {
+               const StickMemory<Index>& elastic_slip, Anchor anchor) {
         sliding.clear();
         if (collider.friction == 0) return;
         for (Index v = 0; v < static_cast<Index>(shell.position.cols()); ++v) {
             const Overlap at = overlap(shell.position, v, pose);
             if (at.depth <= 0) continue;
-            sliding.push_back({v, sliding_point(anchor(Vector3d(shell.position.col(v))), at, turn,
-                                                collider.friction, stiffness(v), length, held.of(v))});
+            sliding.push_back(
+                {v, sliding_point(anchor(Vector3d(shell.position.col(v))), at, turn, collider.friction,
+                                  stiffness(v), length, elastic_slip.slip_of(v))});
         }
     }
     /// Calls add(vertex, force) for each vertex of x [3, V] that overlaps the collider.
@@ -63,10 +64,11 @@ class VertexContact {
         }
     }
     /// Stores the elastic slip of vertices after the step that ends at x; frame: see add_friction().
-    void hold(const Positions& x, const Eigen::Isometry3d& frame, StickMemory<Index>& held) const {
-        held.clear();
+    void store_slip(const Positions& x, const Eigen::Isometry3d& frame,
+                    StickMemory<Index>& elastic_slip) const {
+        elastic_slip.clear();
         for (const auto& [vertex, point] : sliding)
-            held.keep(vertex, point.held_after(x.col(vertex), frame * point.anchor));
+            elastic_slip.keep(vertex, point.elastic_slip_after(x.col(vertex), frame * point.anchor));
     }
     void add_touch(const Positions& x, const Eigen::Isometry3d& pose, Touch& touch) const {
         for (Index v = 0; v < static_cast<Index>(x.cols()); ++v) touch.include(v, overlap(x, v, pose).depth);

@@ -100,7 +100,7 @@ double SheetContact::safe_fraction_of_step(const Positions& x, const Positions& 
     return near.safe_fraction(with(start, x), with_colliders(motion));
 }
 
-Positions SheetContact::pushed_along(const Positions& x) const {
+Positions SheetContact::push_displacement(const Positions& x) const {
     Positions pushed = Positions::Zero(3, x.cols());
     if (start == end) return pushed;
     Positions way = Positions::Zero(3, end.cols() + x.cols());

@@ -25,7 +25,7 @@ class SheetContact : public Energy {
     /// Places the colliders; energies are evaluated with them at the end of the step.
     void begin(const StepContext& step) override;
     void topology_changed(const ShellChange& change, const StepContext& step) override;
-    /// Must be called when the shell, or its exempt vertices (twins), have changed.
+    /// Must be called when the shell, or its exempt vertices, have changed.
     void surface_changed(const ShellChange& change);
 
     double value(const Positions& x) const override;
@@ -42,7 +42,7 @@ class SheetContact : public Energy {
     double safe_fraction_of_step(const Positions& x, const Positions& motion) const;
     /// For each vertex that is near a moving collider, or will be, the displacement of the collider in the
     /// step; zero for the other vertices. x: positions at the beginning of the step. [3, V] m.
-    Positions pushed_along(const Positions& x) const;
+    Positions push_displacement(const Positions& x) const;
 
     const ContactSurface& surface() const { return near.surface(); }
     /// Number of the obstacle to which a vertex of colliders, numbered as in surface(), belongs.
@@ -102,12 +102,12 @@ class SheetContact : public Energy {
             if (least >= 0 || obstacles[obstacle_number(least + first)].deformation == nullptr) continue;
             const PairPositions gradient = elements.gradient(i, elements.gather(i, x));
             for (int v = 0; v < 4; ++v)
-                if (vertices[v] < 0) sum += gradient.col(v).dot(way_of_collider(vertices[v] + first));
+                if (vertices[v] < 0) sum += gradient.col(v).dot(collider_displacement(vertices[v] + first));
         }
         return sum;
     }
     /// Displacement, m, of a vertex of colliders in the step.
-    Vector3d way_of_collider(Index vertex) const { return end.col(vertex) - start.col(vertex); }
+    Vector3d collider_displacement(Index vertex) const { return end.col(vertex) - start.col(vertex); }
     /// Adds the vertices that touch colliders at x, and the surfaces of these colliders.
     void add_touched(const Positions& x, std::set<Index>& vertices,
                      std::set<const ColliderSurface*>& touched) const {
@@ -117,13 +117,11 @@ class SheetContact : public Energy {
     /// step, where the shell is at x; nothing if there is none.
     std::optional<std::string> overlap(const Positions& x) const;
     /// Whether pairs that are springs could be barriers, with the shell at x at the end of the step.
-    bool leaves_room_for_barriers(const Positions& x) const {
-        return near.leave_room_for_barriers(at_end(x));
-    }
+    bool allows_barriers(const Positions& x) const { return near.allow_barriers(at_end(x)); }
     /// See NearPairs; colliders are at the beginning of the step, or at its end.
     double least_share_at_start(const Positions& x) const { return near.least_share(with(start, x)); }
     double least_share_at_end(const Positions& x) const { return near.least_share(with(end, x)); }
-    void set_firmness(Firmness firmness) { near.set_firmness(firmness); }
+    void set_second_spring(SecondSpring second_spring) { near.set_second_spring(second_spring); }
     /// Whether sheets pass through each other, or through a collider, in the step of the last begin(). The
     /// shell moves straight from x, colliders by their prescribed motion.
     bool passes(const StepContext& step, const Positions& x, const Positions& end_of_shell) const;

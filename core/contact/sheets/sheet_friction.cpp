@@ -37,7 +37,7 @@ SlipMatrix rotation(PairKind kind, const PairPositions& x) {
 }  // namespace
 
 SlidingPair sliding_pair(const ContactPair& pair, const PairPositions& x, double coefficient, double length,
-                         const Vector3d& held) {
+                         const Vector3d& elastic_slip) {
     const Closest closest = closest_points(pair.kind, x);
     const double apart = std::sqrt(squared_distance(closest, x));
     const Vector3d normal =
@@ -50,7 +50,7 @@ SlidingPair sliding_pair(const ContactPair& pair, const PairPositions& x, double
                         pair.vertices,
                         apart * cross_matrix(normal) * rotation(pair.kind, x),
                         tangent,
-                        {coefficient * force, smoothing, smoothing * (tangent * held)}};
+                        {coefficient * force, smoothing, smoothing * (tangent * elastic_slip)}};
     for (int i = 0; i < 4; ++i) sliding.slip.middleCols<3>(3 * i) += closest.weights[i] * tangent;
     return sliding;
 }
@@ -87,15 +87,17 @@ void SheetFriction::begin(const StepContext& step) {
         const double own = collider ? collider->friction : coefficient;
         if (own > 0)
             elements.pairs.push_back(sliding_pair(pair, columns(elements.start, pair.vertices), own,
-                                                  step.length, held.of({pair.kind, pair.vertices})));
+                                                  step.length,
+                                                  elastic_slip.slip_of({pair.kind, pair.vertices})));
     }
 }
 
 void SheetFriction::finish(const Positions& x) {
-    held.clear();
+    elastic_slip.clear();
     for (std::size_t i = 0; i < elements.size(); ++i)
-        held.keep(elements.pairs[i].key(), elements.pairs[i].held_after(elements.gather(i, x)));
-    held.sort();
+        elastic_slip.keep(elements.pairs[i].key(),
+                          elements.pairs[i].elastic_slip_after(elements.gather(i, x)));
+    elastic_slip.sort();
 }
 
 double SheetFriction::friction_loss(const Positions& x) const {

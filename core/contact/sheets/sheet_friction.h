@@ -29,17 +29,17 @@ struct SlidingPair {
     PairHessian hessian(const PairPositions& moved) const;
     PairKey key() const { return {kind, vertices}; }
     /// See Friction.
-    Vector3d held_after(const PairPositions& moved) const {
-        return friction.held_after(slip * moved.reshaped());
+    Vector3d elastic_slip_after(const PairPositions& moved) const {
+        return friction.elastic_slip_after(slip * moved.reshaped());
     }
 };
 
 /// The friction of a pair at x, with its normal force and its closest points there. The two points are a
 /// thickness apart. Their relative motion counts as slip only after the pair's rotation, estimated from the
 /// edges of its elements, is subtracted: a pair that rotates as a whole does not slide, and friction exerts
-/// no net torque. length: s, of the step; held: see StickMemory.
+/// no net torque. length: s, of the step; elastic_slip: see StickMemory.
 SlidingPair sliding_pair(const ContactPair& pair, const PairPositions& x, double coefficient, double length,
-                         const Vector3d& held = Vector3d::Zero());
+                         const Vector3d& elastic_slip = Vector3d::Zero());
 
 /// Sliding pairs, as elements on the displacements of their vertices in the step.
 struct SlidingPairs {
@@ -85,16 +85,16 @@ class SheetFriction : public ElementEnergy<SlidingPairs> {
     double work_of_deforming(const Positions& x) const { return contact.work_of_deforming(elements, x); }
     void visit_state(StateVisitor& visit) override {
         static_assert(has_only<SheetFriction, ElementEnergy<SlidingPairs>, decltype(shell), decltype(contact),
-                               decltype(coefficient), decltype(held)>());
+                               decltype(coefficient), decltype(elastic_slip)>());
         ElementEnergy::visit_state(visit);
-        visit(held);
+        visit(elastic_slip);
     }
 
   private:
     const Shell& shell;
     const SheetContact& contact;
     double coefficient;
-    StickMemory<PairKey> held;  ///< elastic slip at the end of the last finished step
+    StickMemory<PairKey> elastic_slip;  ///< elastic slip at the end of the last finished step
 };
 
 }  // namespace sherd

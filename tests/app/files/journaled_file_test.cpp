@@ -110,7 +110,7 @@ void expect_one_of(const History& history, std::size_t call, const fs::path& fil
     // Before the first journal its file length is unknown, but nothing follows the end.
     ASSERT_TRUE(is_next || read == history.states[last])
         << "at call " << call << " of " << history.made.size();
-    mend(file);
+    recover(file);
     EXPECT_EQ(content(OverlaidFile(file, {})), read) << "mended at call " << call;
     EXPECT_EQ(fs::file_size(file), read.size());
     EXPECT_FALSE(has_journal(file));
@@ -178,7 +178,7 @@ struct Failure {
         }
         const std::string read = content(OverlaidFile(file, {}));
         EXPECT_TRUE(read == states.back() || (!goes_on && read == next)) << "call " << failing;
-        mend(file);
+        recover(file);
         EXPECT_EQ(folder.contents().at(file.string()), read);
     }
 
@@ -274,11 +274,11 @@ TEST(JournaledFile, TakesNoJournalOfAnotherFile) {
         folder.write("run.h5.journal", left.at(file.string() + ".journal"));
         folder.write("run.h5", other);
         EXPECT_EQ(content(OverlaidFile(file, {})), other);
-        EXPECT_NE(mend(file).find("does not fit"), std::string::npos);
+        EXPECT_NE(recover(file).find("does not fit"), std::string::npos);
         EXPECT_EQ(folder.contents().at(file.string()), other);
     }
     folder.write("run.h5", left.at(file.string()));
-    EXPECT_NE(mend(file).find("which is complete now"), std::string::npos);
+    EXPECT_NE(recover(file).find("which is complete now"), std::string::npos);
     EXPECT_EQ(folder.contents().at(file.string()),
               std::string(100, 'a') + std::string(700, 'b') + std::string(1200, 'a'));
 }
@@ -292,7 +292,7 @@ TEST(JournaledFile, DropsAnIncompleteJournal) {
         folder.write("run.h5", std::string(2000, 'a'));
         folder.write("run.h5.journal", journal.substr(0, size));
         EXPECT_EQ(content(OverlaidFile(file, {})), std::string(2000, 'a'));
-        EXPECT_NE(mend(file).find("incomplete"), std::string::npos);
+        EXPECT_NE(recover(file).find("incomplete"), std::string::npos);
         EXPECT_EQ(folder.contents().at(file.string()), std::string(2000, 'a'));
     }
     std::string changed = journal;

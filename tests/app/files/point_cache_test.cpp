@@ -8,9 +8,9 @@
 #include <limits>
 
 #include "meshops/error.h"
+#include "tests/support/message_thrown_by.h"
 #include "tests/support/point_caches.h"
 #include "tests/support/temporary_directory.h"
-#include "tests/support/thrown_by.h"
 
 namespace sherd::test {
 namespace {
@@ -30,7 +30,7 @@ class PointCacheFile : public ::testing::Test {
     }
     void expect_refused(const std::string& name, const std::string& bytes, const std::string& part,
                         std::size_t points = 2) const {
-        const std::string error = thrown_by([&] { read(name, bytes, points); });
+        const std::string error = message_thrown_by([&] { read(name, bytes, points); });
         EXPECT_NE(error.find(name), std::string::npos) << error;
         EXPECT_NE(error.find(part), std::string::npos) << error;
     }
@@ -71,10 +71,12 @@ TEST_F(PointCacheFile, OfAnotherKindIsRefused) {
     other[12] = 2;
     expect_refused("a.pc2", other, "version 2");
     expect_refused("a.mdd", pc2_of(two_samples()), "a.mdd");
-    EXPECT_NE(thrown_by([&] { read_point_cache(directory.path / "no.pc2", 2, ""); }).find("no such"),
+    EXPECT_NE(message_thrown_by([&] { read_point_cache(directory.path / "no.pc2", 2, ""); }).find("no such"),
               std::string::npos);
     std::filesystem::create_directory(directory.path / "folder.pc2");
-    EXPECT_NE(thrown_by([&] { read_point_cache(directory.path / "folder.pc2", 2, ""); }).find("is a folder"),
+    EXPECT_NE(message_thrown_by([&] {
+                  read_point_cache(directory.path / "folder.pc2", 2, "");
+              }).find("is a folder"),
               std::string::npos);
 }
 

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "meshops/error.h"
-#include "tests/support/thrown_by.h"
+#include "tests/support/message_thrown_by.h"
 
 namespace sherd {
 namespace {
@@ -46,8 +46,9 @@ TEST(KeyReference, SheetsAndObstaclesNeedNoName) {
 }
 
 TEST(KeyReference, AnUnknownNameIsAnErrorWithTheNearestOne) {
-    EXPECT_TRUE(has(test::thrown_by([] { key_reference("solvr", 0); }), "did you mean 'solver'?"));
-    EXPECT_TRUE(has(test::thrown_by([] { key_reference("solver.stpe", 0); }), "did you mean 'solver.step'?"));
+    EXPECT_TRUE(has(test::message_thrown_by([] { key_reference("solvr", 0); }), "did you mean 'solver'?"));
+    EXPECT_TRUE(
+        has(test::message_thrown_by([] { key_reference("solver.stpe", 0); }), "did you mean 'solver.step'?"));
 }
 
 TEST(KeyReference, LinesFitTheTerminal) {

@@ -53,9 +53,10 @@ TEST(SlowMotion, RefusesWhatIsNoFactorOrRate) {
     check_slow_motion({1e6, 24});
 }
 
-Shares shares(const std::vector<Moment>& moments) {
+Shares shares(const std::vector<PlaybackTime>& moments) {
     Shares shares;
-    for (const Moment& moment : moments) shares.push_back(static_cast<double>(moment.earlier) + moment.share);
+    for (const PlaybackTime& moment : moments)
+        shares.push_back(static_cast<double>(moment.earlier) + moment.share);
     return shares;
 }
 
@@ -68,36 +69,36 @@ void expect_near(const Shares& found, const Shares& expected) {
 TEST(Moments, LieEvenlyInTimeBetweenTheFramesAroundThem) {
     const std::vector<std::size_t> frames{0, 1, 2};
     const std::vector<double> times{0, 0.1, 0.3};
-    const std::vector<Moment> moments = even_moments(frames, times, 0.05);
+    const std::vector<PlaybackTime> moments = even_times(frames, times, 0.05);
     expect_near(shares(moments), {0, 0.5, 1, 1.25, 1.5, 1.75, 2});
     for (std::size_t i = 0; i < moments.size(); ++i) EXPECT_NEAR(moments[i].time, 0.05 * i, 1e-12);
     EXPECT_EQ(moments[2].share, 0) << "a frame's own time is that frame, whatever round-off says";
     EXPECT_EQ(moments[2].earlier, 1u);
     EXPECT_EQ(moments[1].later, 1u);
-    expect_near(shares(even_moments(frames, times, 0.08)), {0, 0.8, 1.3, 1.7, 2});
+    expect_near(shares(even_times(frames, times, 0.08)), {0, 0.8, 1.3, 1.7, 2});
 }
 
 TEST(Moments, EndWithTheLastFrame) {
     const std::vector<std::size_t> frames{3, 5, 9};
     const std::vector<double> times{1, 2, 4};
-    const auto moments = even_moments(frames, times, 1.5);
+    const auto moments = even_times(frames, times, 1.5);
     ASSERT_EQ(moments.size(), 3u);
     EXPECT_EQ(moments[1].earlier, 5u);
     EXPECT_EQ(moments[1].later, 9u);
     EXPECT_NEAR(moments[1].share, 0.25, 1e-12);
     EXPECT_EQ(moments[2].earlier, 9u);
     EXPECT_EQ(moments[2].time, 4);
-    EXPECT_EQ(even_moments(frames, times, 100).size(), 2u);
-    EXPECT_EQ(even_moments(frames, std::vector<double>{1, 1, 1}, 0.1).size(), 1u);
-    EXPECT_EQ(even_moments(std::vector<std::size_t>{7}, std::vector<double>{2}, 0.1).size(), 1u);
+    EXPECT_EQ(even_times(frames, times, 100).size(), 2u);
+    EXPECT_EQ(even_times(frames, std::vector<double>{1, 1, 1}, 0.1).size(), 1u);
+    EXPECT_EQ(even_times(std::vector<std::size_t>{7}, std::vector<double>{2}, 0.1).size(), 1u);
 }
 
 TEST(Moments, AreNotTooMany) {
     const std::vector<std::size_t> frames{0, 1};
     const std::vector<double> times{0, 1};
-    EXPECT_EQ(even_moments(frames, times, 1e-4).size(), 10'001u);
-    EXPECT_THROW(even_moments(frames, times, 1e-9), Error);
-    EXPECT_THROW(even_moments(frames, times, 0), Error);
+    EXPECT_EQ(even_times(frames, times, 1e-4).size(), 10'001u);
+    EXPECT_THROW(even_times(frames, times, 1e-9), Error);
+    EXPECT_THROW(even_times(frames, times, 0), Error);
 }
 
 /// Two triangles that share the edge 1 2, and the same torn apart there: 4 and 5 are the copies of 1 and 2.
@@ -117,7 +118,7 @@ std::array<Snapshot, 2> torn_pair() {
     whole.edges = {{1, 2}, {0, 1}};
     whole.edge_state = {EdgeState::interior, EdgeState::boundary};
     whole.edge_strain = {8, 0};
-    whole.rest = unbroken_mesh(whole.position, whole.faces, {0.5, 0.5}, {0.001, 0.001});
+    whole.rest = unfractured_mesh(whole.position, whole.faces, {0.5, 0.5}, {0.001, 0.001});
     Snapshot torn = whole;
     torn.time = 2;
     torn.step = 20;
@@ -200,7 +201,7 @@ TEST(Playback, ReadsEachFrameOnce) {
     });
     const std::vector<std::size_t> frames{0, 1, 2};
     const std::vector<double> times{0, 1, 2};
-    for (const Moment& moment : even_moments(frames, times, 0.1)) playback.at(moment);
+    for (const PlaybackTime& moment : even_times(frames, times, 0.1)) playback.at(moment);
     EXPECT_EQ(read, frames);
     EXPECT_EQ(playback.at({2, 2, 0, 2}).position, pair[0].position) << "a frame is what was recorded";
 }

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "app/playback/ancestry.h"
+#include "app/playback/frame_parents.h"
 #include "tests/support/advanced_run.h"
 #include "tests/support/same_snapshot.h"
 #include "tests/support/temporary_directory.h"
@@ -17,7 +17,7 @@ void expect_recorded_and_followed(unsigned shape, unsigned seed) {
     linear << 1.1, 0.2, 0, -0.1, 0.9, 0.3, 0.4, 0, 1;
     std::vector<Snapshot> frames = advanced_frames(shape, seed, linear);
     for (std::size_t k = 1; k < frames.size(); k += 2)
-        frames[k].edge_held.assign(frames[k].edges.size(), 0.3);
+        frames[k].edge_cohesive_share.assign(frames[k].edges.size(), 0.3);
     const TemporaryDirectory folder;
     RecordingWriter writer(folder.path / "advanced.h5", advanced_header(frames[0]), false);
     for (const Snapshot& frame : frames) writer.append(frame, {}, {});
@@ -28,7 +28,8 @@ void expect_recorded_and_followed(unsigned shape, unsigned seed) {
         EXPECT_EQ(read.rest.face_mixed, frames[k].rest.face_mixed);
         EXPECT_EQ(read.rest.position, frames[k].rest.position);
         for (std::size_t other = 0; other < k; ++other) {
-            const Positions carried = ancestry(frames[other], read).carried(frames[other].position);
+            const Positions carried =
+                frame_parents(frames[other], read).interpolated_from(frames[other].position);
             const double worst = (carried - read.position).cwiseAbs().maxCoeff();
             EXPECT_LE(worst, is_flat_sheet(shape) ? 1e-9 : 0.15) << other << " to " << k;
         }
@@ -53,14 +54,14 @@ RC_GTEST_PROP(AdvancedRecording, VerticesLieInTheUnbrokenMesh, ()) {
     for (std::size_t v = 0; v < rest.vertex_parents.size(); ++v) {
         Vector3d place = Vector3d::Zero();
         for (int k = 0; k < 3; ++k)
-            place += rest.vertex_weights[v][k] * rest.unbroken_position.col(rest.vertex_parents[v][k]);
+            place += rest.vertex_weights[v][k] * rest.unfractured_position.col(rest.vertex_parents[v][k]);
         const double off = (place - rest.position.col(static_cast<Index>(v))).norm();
         RC_ASSERT(off <= (is_flat_sheet(shape) ? 1e-12 : 0.06));
     }
     double area = 0, unbroken = 0;
     for (const double of_face : rest.area) area += of_face;
-    for (const std::array<Index, 3>& face : rest.unbroken_faces) {
-        const TrianglePositions x = columns(rest.unbroken_position, face);
+    for (const std::array<Index, 3>& face : rest.unfractured_faces) {
+        const TrianglePositions x = columns(rest.unfractured_position, face);
         unbroken += Vector3d(x.col(1) - x.col(0)).cross(Vector3d(x.col(2) - x.col(0))).norm() / 2;
     }
     RC_ASSERT(std::abs(area - unbroken) <= (is_flat_sheet(shape) ? 1e-12 : 0.02) * unbroken);

@@ -36,7 +36,7 @@ void record_copies(const fs::path& file) {
     record(synthetic_run(), file);
 }
 
-void record_births(const fs::path& file) {
+void record_insertions(const fs::path& file) {
     record(split_run(), file);
 }
 
@@ -99,7 +99,7 @@ TEST_P(RecordingPartners, ParaViewStepsThroughAllFrames) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Copies, RecordingPartners, ::testing::Values(record_copies));
-INSTANTIATE_TEST_SUITE_P(Births, RecordingPartners, ::testing::Values(record_births));
+INSTANTIATE_TEST_SUITE_P(Births, RecordingPartners, ::testing::Values(record_insertions));
 INSTANTIATE_TEST_SUITE_P(Moves, RecordingPartners, ::testing::Values(record_moves));
 INSTANTIATE_TEST_SUITE_P(Modes, RecordingPartners, ::testing::Values(record_modes));
 INSTANTIATE_TEST_SUITE_P(Obstacles, RecordingPartners, ::testing::Values(record_obstacles));
@@ -115,7 +115,7 @@ TEST_P(SplitPartners, TheBlenderPlayerGivesBlenderWhatWasRecorded) {
     EXPECT_TRUE(passes("check_player.py", player() + " " + quoted(recording)));
 }
 
-TEST_P(SplitPartners, ThePagePlaysFacesThatAreBorn) {
+TEST_P(SplitPartners, ThePagePlaysInsertedFaces) {
     const fs::path page = folder.path / "page.html";
     const ProgramResult result = run_sherd({"view", recording.string(), "-o", page.string()}, folder.path);
     ASSERT_EQ(result.exit_code, 0) << result.err;
@@ -139,7 +139,7 @@ TEST_P(ObstaclePartners, TheBlenderPlayerMovesThem) {
 INSTANTIATE_TEST_SUITE_P(Obstacles, ObstaclePartners, ::testing::Values(record_obstacles));
 INSTANTIATE_TEST_SUITE_P(Moves, MovingPartners, ::testing::Values(record_moves));
 
-INSTANTIATE_TEST_SUITE_P(Births, SplitPartners, ::testing::Values(record_births));
+INSTANTIATE_TEST_SUITE_P(Births, SplitPartners, ::testing::Values(record_insertions));
 
 }  // namespace
 }  // namespace sherd::test

@@ -89,7 +89,7 @@ TEST(RecordingSurvival, IsReadByItsJournalWhereItCannotBeMended) {
         const OutputLock lock(file);  // lock of a writer
         const auto left = after.contents();
         const Recording recording(file);
-        EXPECT_EQ(recording.mended(), "");
+        EXPECT_EQ(recording.recovery(), "");
         expect_begins(recording, appends.run, recording.frame_count());
         for (const auto& [name, bytes] : left) EXPECT_TRUE(after.contents().at(name) == bytes) << name;
     }
@@ -104,9 +104,9 @@ TEST(RecordingSurvival, SaysWhatHasBeenMended) {
     for (const SystemCall& call : appends.made) {
         disk.make(call);
         disk.show(after.path, true, random);
-        const std::string said = Recording(after.path / "run.h5").mended();
+        const std::string said = Recording(after.path / "run.h5").recovery();
         words.insert(said.substr(0, said.find_last_of(' ')));
-        EXPECT_EQ(Recording(after.path / "run.h5").mended(), "") << "it is mended once";
+        EXPECT_EQ(Recording(after.path / "run.h5").recovery(), "") << "it is mended once";
     }
     EXPECT_GE(words.size(), 3u) << "complete, cut off, or whole";
 }

@@ -64,12 +64,12 @@ TEST(ColourBar, KeepsTicksApart) {
 
 // A number that moves about in a film could not be read.
 TEST(ColourBar, CaptionsOfARunHaveTheSameForm) {
-    EXPECT_EQ(moment_caption(0.0125, 125, 0.03), "t = 12.50 ms, step 125");
-    EXPECT_EQ(moment_caption(0, 0, 0.03), "t = 0.00 ms, step 0");
-    EXPECT_EQ(moment_caption(0.25, 2500, 2), "t = 0.250 s, step 2500");
-    EXPECT_EQ(moment_caption(0.25, 2500, 0.5), "t = 250.0 ms, step 2500");
-    EXPECT_EQ(moment_caption(0, 0, 0), "t = 0.000 s, step 0");
-    EXPECT_EQ(moment_caption(0.25, 5, 1, "load"), "load 0.250, step 5");
+    EXPECT_EQ(time_caption(0.0125, 125, 0.03), "t = 12.50 ms, step 125");
+    EXPECT_EQ(time_caption(0, 0, 0.03), "t = 0.00 ms, step 0");
+    EXPECT_EQ(time_caption(0.25, 2500, 2), "t = 0.250 s, step 2500");
+    EXPECT_EQ(time_caption(0.25, 2500, 0.5), "t = 250.0 ms, step 2500");
+    EXPECT_EQ(time_caption(0, 0, 0), "t = 0.000 s, step 0");
+    EXPECT_EQ(time_caption(0.25, 5, 1, "load"), "load 0.250, step 5");
 }
 
 // Bar and caption must be legible in small and large pictures, on black and on white, and change nothing
@@ -79,7 +79,7 @@ TEST(ColourBar, IsLegibleInPicturesOfAnySizeAndTouchesOnlyItsPanel) {
     const std::array<int, 2> sizes[] = {{220, 220}, {480, 270}, {960, 540}, {540, 960}, {3840, 2160}};
     for (const auto& [width, height] : sizes)
         for (const float grey : {0.0f, 1.0f}) {
-            ASSERT_TRUE(has_room_for_bar(width, height));
+            ASSERT_TRUE(fits_colour_bar(width, height));
             Image image = blank(width, height, grey);
             const PixelBox panel = draw_colour_bar(image, bar),
                            line = draw_caption(image, "t = 12.50 ms, step 125");
@@ -103,7 +103,7 @@ TEST(ColourBar, IsLegibleInPicturesOfAnySizeAndTouchesOnlyItsPanel) {
             EXPECT_GT(dark, 40) << width;
             EXPECT_GT(light, dark) << width;
         }
-    EXPECT_FALSE(has_room_for_bar(219, 1000));
+    EXPECT_FALSE(fits_colour_bar(219, 1000));
 }
 
 // A colour of the picture must be on the bar beside its number.

@@ -15,9 +15,9 @@
 #include "app/render/render_solid.h"
 #include "app/render/render_stripes.h"
 #include "meshops/error.h"
+#include "tests/support/message_thrown_by.h"
 #include "tests/support/synthetic_run.h"
 #include "tests/support/temporary_directory.h"
-#include "tests/support/thrown_by.h"
 
 namespace sherd::test {
 namespace {
@@ -187,9 +187,9 @@ TEST(RenderColour, StressAndCurvatureAreMeansOfTheFacesAtAVertex) {
 }
 
 TEST(RenderColour, SaysHowToRecordWhatIsNotThere) {
-    const std::string message = thrown_by([] { render_scalar({}, RenderColour::stress); });
+    const std::string message = message_thrown_by([] { render_scalar({}, RenderColour::stress); });
     EXPECT_NE(message.find("output.fields = [\"stress\"]"), std::string::npos) << message;
-    EXPECT_NE(thrown_by([] {
+    EXPECT_NE(message_thrown_by([] {
                   parse_render_colour("stres", render_colours);
               }).find("give fragment, strain, speed, stress, curvature, axis, tips, material or none"),
               std::string::npos);

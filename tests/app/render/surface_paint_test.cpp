@@ -11,10 +11,10 @@
 #include "app/render.h"
 #include "app/render/render_light.h"
 #include "meshops/error.h"
+#include "tests/support/message_thrown_by.h"
 #include "tests/support/png_file.h"
 #include "tests/support/synthetic_run.h"
 #include "tests/support/temporary_directory.h"
-#include "tests/support/thrown_by.h"
 
 namespace sherd::test {
 namespace {
@@ -122,7 +122,7 @@ TEST_F(Painted, ColoursOfPlyAreSeen) {
 
 TEST_F(Painted, ARecordingOfWhichFilesSayNothingIsAnError) {
     record(run, folder.path / "run.h5");
-    EXPECT_NE(thrown_by([&] { render_recording(options()); }).find("no materials and no colours"),
+    EXPECT_NE(message_thrown_by([&] { render_recording(options()); }).find("no materials and no colours"),
               std::string::npos);
 }
 
@@ -155,10 +155,13 @@ TEST(Jpeg, IsReadAndFaultsAreTold) {
     EXPECT_NEAR(image.colour(6, 2).y(), 128 / 255.0, 0.02);
     const std::string whole = folder.contents().at(folder.path / "a.jpg");
     folder.write("head.jpg", whole.substr(0, 30));
-    EXPECT_NE(thrown_by([&] { read_picture(folder.path / "head.jpg"); }).find("head.jpg"), std::string::npos);
-    EXPECT_NE(thrown_by([&] { read_picture(folder.path / "none.jpg"); }).find("none.jpg"), std::string::npos);
+    EXPECT_NE(message_thrown_by([&] { read_picture(folder.path / "head.jpg"); }).find("head.jpg"),
+              std::string::npos);
+    EXPECT_NE(message_thrown_by([&] { read_picture(folder.path / "none.jpg"); }).find("none.jpg"),
+              std::string::npos);
     folder.write("text.jpg", "no picture");
-    EXPECT_NE(thrown_by([&] { read_picture(folder.path / "text.jpg"); }).find("text.jpg"), std::string::npos);
+    EXPECT_NE(message_thrown_by([&] { read_picture(folder.path / "text.jpg"); }).find("text.jpg"),
+              std::string::npos);
 }
 
 TEST(MaterialLook, IsWhatTheDefinitionSays) {

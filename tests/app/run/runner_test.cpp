@@ -43,7 +43,7 @@ struct Witness : RunObserver {
         if (steps == worst_step) throw Error("enough", Fault::run);
     }
     void frame_due(const Simulation&) override { told += " frame"; }
-    bool wants_end() const override { return steps >= last_step; }
+    bool should_end() const override { return steps >= last_step; }
     void ended(const RunEnd& end) override { told += " " + end.how; }
 
   private:

@@ -5,7 +5,7 @@
 #include "app/scene/build/built_scene.h"
 #include "app/scene/build/obstacles.h"
 #include "app/scene/read/scene.h"
-#include "tests/support/plate_and_thing.h"
+#include "tests/support/plate_and_obstacle.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_directory.h"
 
@@ -15,7 +15,7 @@ namespace {
 ProgramResult check_of_mesh(const std::string& mesh, const std::string& obstacle) {
     const TemporaryDirectory directory;
     directory.write("solid.obj", mesh);
-    directory.write("scene.toml", plate_and_thing + obstacle);
+    directory.write("scene.toml", plate_and_obstacle + obstacle);
     return run_sherd({"check", "scene.toml"}, directory.path);
 }
 
@@ -41,7 +41,7 @@ TEST(FreeMesh, AClosedMeshBecomesAFreeBody) {
     directory.write("solid.obj", box_mesh());
     const Scene scene = read_scene(directory.write(
         "scene.toml",
-        plate_and_thing + "mesh = \"solid.obj\"\ndensity = 10\n" + placed +
+        plate_and_obstacle + "mesh = \"solid.obj\"\ndensity = 10\n" + placed +
             "[obstacle.other]\nmesh = { file = \"solid.obj\", scale = 0.5 }\nmass = 60\n" + placed +
             "[obstacle.box]\nbox = { size = [1, 2, 3], centre = [5, 0, 0] }\nmass = 60\n" + placed));
     const std::vector<RigidBody> bodies = make_bodies(scene, ThicknessRange{0.004, 0.004});
@@ -97,8 +97,8 @@ TEST(FreeMesh, AMeshIsFeltByABallAsFarOffAsItIsLarge) {
     const TemporaryDirectory directory;
     directory.write("solid.obj", box_mesh());
     const Scene scene = read_scene(directory.write(
-        "scene.toml", plate_and_thing + "mesh = \"solid.obj\"\n[obstacle.ball]\nsphere = { radius "
-                                        "= 0.4, centre = [5, 0, 1.9] }\ndensity = 10\n"));
+        "scene.toml", plate_and_obstacle + "mesh = \"solid.obj\"\n[obstacle.ball]\nsphere = { radius "
+                                           "= 0.4, centre = [5, 0, 1.9] }\ndensity = 10\n"));
     std::vector<std::string> warnings;
     const Obstacle solid =
         make_obstacles(scene.obstacles, ThicknessRange{0.004, 0.004}, warnings, scene.bodies).at(0);

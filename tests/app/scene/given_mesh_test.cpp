@@ -4,7 +4,7 @@
 
 #include "app/scene/build/built_scene.h"
 #include "app/scene/read/scene.h"
-#include "tests/support/thrown_by.h"
+#include "tests/support/message_thrown_by.h"
 
 namespace sherd::test {
 namespace {
@@ -38,7 +38,7 @@ TEST(GivenMesh, IsRemeshedWhereAskedFor) {
 TEST(GivenMesh, ThatNobodyGaveIsAnErrorOfItsLine) {
     const Scene scene = parse_scene(sheet + "mesh = { given = \"bowl\" }\n", "a.toml", {}, kite());
     std::vector<std::string> warnings;
-    EXPECT_EQ(thrown_by([&] { build_scene(scene, warnings); }),
+    EXPECT_EQ(message_thrown_by([&] { build_scene(scene, warnings); }),
               "a.toml:5: sheet.kite.mesh: no program has passed a mesh of the name 'bowl': give a file "
               "instead, or pass the arrays with the scene");
 }

@@ -7,8 +7,8 @@
 
 #include "core/forces/shell_energies.h"
 #include "tests/support/built_text.h"
+#include "tests/support/message_thrown_by.h"
 #include "tests/support/scene_of.h"
-#include "tests/support/thrown_by.h"
 
 namespace sherd::test {
 namespace {
@@ -64,13 +64,13 @@ TEST(SceneBend, MeetsObstaclesWhereItStarts) {
                           "contact.start = \"error\"\n"
                           "obstacle.ball.sphere = { radius = 0.1, centre = [1, 0, 3.1] }\n");
     };
-    EXPECT_NE(thrown_by([&] { simulation_of(beside("")); }).find("obstacle.ball"), std::string::npos);
-    EXPECT_EQ(thrown_by([&] { simulation_of(beside("bend = { curvature = 1.5 }\n")); }), "no error");
+    EXPECT_NE(message_thrown_by([&] { simulation_of(beside("")); }).find("obstacle.ball"), std::string::npos);
+    EXPECT_EQ(message_thrown_by([&] { simulation_of(beside("bend = { curvature = 1.5 }\n")); }), "no error");
 }
 
 TEST(SceneBend, ThatCannotBeIsRefused) {
     const auto said = [](const std::string& sheet) {
-        return thrown_by([&] { simulation_of(bent_strip(sheet)); });
+        return message_thrown_by([&] { simulation_of(bent_strip(sheet)); });
     };
     EXPECT_NE(said("bend = { curvature = 1, along = [0, 0, 1] }\n").find("sheet.strip.bend.along: must not"),
               std::string::npos);
@@ -78,7 +78,7 @@ TEST(SceneBend, ThatCannotBeIsRefused) {
                    "keys = [{ time = 0 }, { time = 1 }]\n")
                   .find("sheet.strip.bend: conflicts with keys"),
               std::string::npos);
-    EXPECT_NE(thrown_by([] {
+    EXPECT_NE(message_thrown_by([] {
                   simulation_of(
                       "duration = 1\n[sheet.tube]\nmesh = { generate = \"cylinder\", radius = 0.1, "
                       "height = 0.1, edge_length = 0.03 }\nmaterial.preset = \"steel\"\n"

@@ -7,16 +7,16 @@
 #include "app/scene/build/obstacles.h"
 #include "app/scene/build/plausibility.h"
 #include "app/scene/read/scene.h"
-#include "tests/support/plate_and_thing.h"
+#include "tests/support/message_thrown_by.h"
+#include "tests/support/plate_and_obstacle.h"
 #include "tests/support/point_caches.h"
 #include "tests/support/replaced.h"
 #include "tests/support/temporary_directory.h"
-#include "tests/support/thrown_by.h"
 
 namespace sherd::test {
 namespace {
 
-const std::string above_cached = replaced(plate_and_thing, "0.002", "0.05");
+const std::string above_cached = replaced(plate_and_obstacle, "0.002", "0.05");
 /// Quadrangle, a vertex that no face uses, and a triangle beside it.
 const std::string cached_mesh = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 9 9 9\nv 2 0 0\nf 1 2 3 4\nf 2 6 3\n";
 
@@ -46,7 +46,7 @@ class SceneCache : public ::testing::Test {
         return make_obstacles(scene(text).obstacles, {1e-3, 1e-3}, warnings).at(0);
     }
     void expect_refused(const std::string& text, const std::string& part) {
-        const std::string error = thrown_by([&] { obstacle(text); });
+        const std::string error = message_thrown_by([&] { obstacle(text); });
         EXPECT_NE(error.find("scene.toml:"), std::string::npos) << error;
         EXPECT_NE(error.find(part), std::string::npos) << error;
     }

@@ -9,7 +9,7 @@
 #include "app/scene/read/forces.h"
 #include "meshops/error.h"
 #include "tests/support/built_text.h"
-#include "tests/support/thrown_by.h"
+#include "tests/support/message_thrown_by.h"
 
 namespace sherd::test {
 namespace {
@@ -33,7 +33,7 @@ Prepared prepare(const std::string& text) {
 }
 
 std::string force_message(const std::string& text) {
-    return thrown_by([&] { prepare(text); });
+    return message_thrown_by([&] { prepare(text); });
 }
 
 Vector3d total(const Load& load) {

@@ -13,9 +13,9 @@
 #include "app/scene/read/material_presets.h"
 #include "app/scene/read/scene.h"
 #include "meshops/error.h"
+#include "tests/support/message_thrown_by.h"
 #include "tests/support/scene_of.h"
 #include "tests/support/temporary_directory.h"
-#include "tests/support/thrown_by.h"
 
 namespace sherd::test {
 namespace {
@@ -295,7 +295,7 @@ TEST(SceneFracture, WhatThereIsNoMoreNamesItsSuccessor) {
                                             {"adaptive = true", "scheme = \"auto\""},
                                             {"method = \"newton-2026\"", "\"newton\" "},
                                             {"bending = \"coupled-cubic\"", "\"coupled\""}}) {
-        const std::string error = thrown_by([&line = line] { breaking_plate("strain = 1", line); });
+        const std::string error = message_thrown_by([&line = line] { breaking_plate("strain = 1", line); });
         EXPECT_NE(error.find("any more: " + instead), std::string::npos) << error;
         EXPECT_NE(error.find("solver." + line.substr(0, line.find(' '))), std::string::npos) << error;
         EXPECT_EQ(error.find('\n'), std::string::npos) << "one error: " << error;

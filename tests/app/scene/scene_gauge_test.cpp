@@ -4,7 +4,7 @@
 
 #include "meshops/error.h"
 #include "tests/support/built_text.h"
-#include "tests/support/thrown_by.h"
+#include "tests/support/message_thrown_by.h"
 
 namespace sherd::test {
 namespace {
@@ -79,14 +79,14 @@ TEST(SceneFields, AreNoneUnlessTheSceneWantsThem) {
     EXPECT_EQ(fields("true"), (FaceFieldChoice{true, true, true}));
     EXPECT_EQ(fields("[\"curvature\", \"stress\"]"), (FaceFieldChoice{.stress = true, .curvature = true}));
     for (const std::string wrong : {"\"stress\"", "[\"stres\"]", "3"}) {
-        const std::string message = thrown_by([&] { fields(wrong); });
+        const std::string message = message_thrown_by([&] { fields(wrong); });
         EXPECT_NE(message.find("output.fields: must be"), std::string::npos) << message;
     }
 }
 
 TEST(SceneGauge, WhatCannotBeIsRefused) {
     const auto says = [](const std::string& keys, const std::string& wanted) {
-        const std::string message = thrown_by([&] { built_from(squares + "[[gauge]]\n" + keys); });
+        const std::string message = message_thrown_by([&] { built_from(squares + "[[gauge]]\n" + keys); });
         EXPECT_NE(message.find(wanted), std::string::npos) << message;
     };
     says("name = \"g\"\nat = [0, 0, 0.5]\n", "gauge[0].at: is 0.5 m from the nearest point of any sheet");

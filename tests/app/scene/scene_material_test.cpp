@@ -5,12 +5,12 @@
 
 #include "app/scene/build/sheet.h"
 #include "app/scene/read/scene.h"
+#include "tests/support/message_thrown_by.h"
 #include "tests/support/ply_square.h"
 #include "tests/support/png_file.h"
 #include "tests/support/program.h"
 #include "tests/support/scene_of.h"
 #include "tests/support/temporary_directory.h"
-#include "tests/support/thrown_by.h"
 
 namespace sherd::test {
 namespace {
@@ -30,7 +30,7 @@ Scene scene_made_of(const std::string& material) {
 TEST(SceneMaterial, APresetThatIsNotKnownIsOneMistake) {
     std::string text = scene_with("");
     text.replace(text.find("cotton"), 6, "coton");
-    const std::string said = thrown_by([&] { scene_of(text); });
+    const std::string said = message_thrown_by([&] { scene_of(text); });
     EXPECT_NE(said.find("did you mean \"cotton\"?"), std::string::npos) << said;
     EXPECT_EQ(said.find('\n'), std::string::npos) << said;
 }

@@ -8,7 +8,7 @@
 #include "app/scene/build/obstacles.h"
 #include "app/scene/read/scene.h"
 #include "meshops/error.h"
-#include "tests/support/plate_and_thing.h"
+#include "tests/support/plate_and_obstacle.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_directory.h"
 
@@ -19,7 +19,7 @@ using std::numbers::pi;
 
 Scene scene_around(const std::string& obstacle) {
     const TemporaryDirectory directory;
-    return read_scene(directory.write("scene.toml", plate_and_thing + obstacle));
+    return read_scene(directory.write("scene.toml", plate_and_obstacle + obstacle));
 }
 
 ThicknessRange thickness_of(const Scene& scene) {
@@ -80,7 +80,7 @@ const std::string octahedron =
 ProgramResult checked(const std::string& mesh, const std::string& obstacle) {
     const TemporaryDirectory directory;
     directory.write("solid.obj", mesh);
-    directory.write("scene.toml", plate_and_thing + obstacle);
+    directory.write("scene.toml", plate_and_obstacle + obstacle);
     return run_sherd({"check", "scene.toml"}, directory.path);
 }
 
@@ -90,7 +90,7 @@ TEST(SceneObstacle, AMeshFileBecomesASolid) {
     directory.write("solid.obj", octahedron + "f 1 4 6\n");
     const Scene scene = read_scene(directory.write(
         "scene.toml",
-        plate_and_thing +
+        plate_and_obstacle +
             "mesh = { file = \"solid.obj\", scale = 0.1, voxel = 0.002 }\nplace.translate = [1, 0, 0]"));
     std::vector<std::string> warnings;
     const Obstacle solid = make_obstacles(scene.obstacles, thickness_of(scene), warnings).at(0);
@@ -104,8 +104,8 @@ TEST(SceneObstacle, AMeshFileBecomesASolid) {
 TEST(SceneObstacle, AGrainOfHalfAMillimetreIsASolid) {
     const TemporaryDirectory directory;
     directory.write("solid.obj", octahedron + "f 1 4 6\n");
-    const Scene scene = read_scene(
-        directory.write("scene.toml", plate_and_thing + "mesh = { file = \"solid.obj\", scale = 0.00025 }"));
+    const Scene scene = read_scene(directory.write(
+        "scene.toml", plate_and_obstacle + "mesh = { file = \"solid.obj\", scale = 0.00025 }"));
     std::vector<std::string> warnings;
     const Obstacle solid = make_obstacles(scene.obstacles, thickness_of(scene), warnings).at(0);
     EXPECT_NEAR(distance(solid, 0, Vector3d::Zero()), -0.00025 / std::sqrt(3.0), 2e-5);
@@ -241,7 +241,7 @@ TEST(SceneObstacle, ASheetThatStartsInsideIsNamed) {
     const TemporaryDirectory directory;
     const auto outcome = [&](const std::string& command, double height) {
         directory.write("scene.toml",
-                        plate_and_thing + "plane = { point = [0, 0, " + std::to_string(height) + "] }\n");
+                        plate_and_obstacle + "plane = { point = [0, 0, " + std::to_string(height) + "] }\n");
         return run_sherd({command, "scene.toml", "--set", "contact.start='error'"}, directory.path);
     };
     for (const std::string command : {"check", "run"}) {
@@ -264,7 +264,7 @@ TEST(SceneObstacle, ASheetThatStartsInsideIsNamed) {
 // Unless the scene is strict, the sheet must run, and neither be thrown out nor fall through.
 TEST(SceneObstacle, ASheetThatStartsInsideStaysThere) {
     const TemporaryDirectory directory;
-    directory.write("scene.toml", plate_and_thing + "plane = { point = [0, 0, 0.9995] }\n");
+    directory.write("scene.toml", plate_and_obstacle + "plane = { point = [0, 0, 0.9995] }\n");
     const ProgramResult run = run_sherd({"run", "scene.toml", "-o", "run.h5"}, directory.path);
     EXPECT_EQ(run.exit_code, 0) << run.err;
     EXPECT_NE(run.err.find("is 0.0015 m beyond touching"), std::string::npos) << run.err;
@@ -275,7 +275,7 @@ TEST(SceneObstacle, ASheetThatStartsInsideStaysThere) {
 TEST(SceneObstacle, AFaceThatStartsAcrossASurfaceIsNamed) {
     const TemporaryDirectory directory;
     const auto outcome = [&](const std::string& command, const std::string& box) {
-        directory.write("scene.toml", plate_and_thing + "box = " + box + "\n");
+        directory.write("scene.toml", plate_and_obstacle + "box = " + box + "\n");
         return run_sherd({command, "scene.toml", "--set", "contact.start='error'"}, directory.path);
     };
     for (const std::string command : {"check", "run"}) {
@@ -335,7 +335,7 @@ TEST(SceneObstacle, ABodyThatStartsInAnotherOneIsNamed) {
     const TemporaryDirectory directory;
     const auto outcome = [&](double height) {
         directory.write("scene.toml",
-                        plate_and_thing +
+                        plate_and_obstacle +
                             "plane = {}\n[obstacle.ball]\nsphere = { radius = 0.1, centre = [0, 0, " +
                             std::to_string(height) +
                             "] }\ndensity = 1000\n[obstacle.brick]\n"

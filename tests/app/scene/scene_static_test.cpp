@@ -4,7 +4,7 @@
 
 #include "meshops/error.h"
 #include "tests/support/built_text.h"
-#include "tests/support/thrown_by.h"
+#include "tests/support/message_thrown_by.h"
 
 namespace sherd::test {
 namespace {
@@ -114,7 +114,7 @@ step = 0.5
 
 // Otherwise each would be taken for a limitation of statics, or be ignored.
 TEST(Statics, RefuseWhatNeedsTime) {
-    const auto message = [](const std::string& text) { return thrown_by([&] { built_from(text); }); };
+    const auto message = [](const std::string& text) { return message_thrown_by([&] { built_from(text); }); };
     const std::string loose = R"([sheet.plate]
 mesh = { generate = "rectangle", width = 1, height = 1, edge_length = 0.2 }
 material = { density = 1, thickness = 0.01, young = 1e6, poisson = 0 }
@@ -147,7 +147,7 @@ symmetry = { point = [0, 0, 0], normal = [1, 0, 0] }
 [solver]
 scheme = "static"
 )");
-    const std::string message = thrown_by([&] { run->step(); });
+    const std::string message = message_thrown_by([&] { run->step(); });
     EXPECT_NE(message.find("load 0"), std::string::npos) << message;
     EXPECT_TRUE(message.find("nothing holds") != std::string::npos ||
                 message.find("as a whole") != std::string::npos)

@@ -9,17 +9,17 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/messages/nearest_name.h"
 #include "app/scene/build/built_scene.h"
 #include "app/scene/build/mesh.h"
 #include "app/scene/build/supports.h"
 #include "app/scene/read/profile.h"
 #include "app/scene/toml/toml_table.h"
-#include "app/words/nearest_name.h"
 #include "meshops/error.h"
 #include "meshops/mesh_measures.h"
+#include "tests/support/message_thrown_by.h"
 #include "tests/support/scene_of.h"
 #include "tests/support/temporary_directory.h"
-#include "tests/support/thrown_by.h"
 
 namespace sherd::test {
 namespace {
@@ -152,7 +152,9 @@ TEST(Scene, MembraneIsChosenAndKeptFromWrongNames) {
     EXPECT_EQ(chosen({}), MembraneModel::constant_strain);
     EXPECT_EQ(chosen({"solver.membrane=constant-strain"}), MembraneModel::constant_strain);
     EXPECT_EQ(chosen({"solver.membrane=arc"}), MembraneModel::arc);
-    const std::string error = thrown_by([] { scene_of(small_scene, {{"solver.membrane=arcs"}, ""}); });
+    const std::string error = message_thrown_by([] {
+        scene_of(small_scene, {{"solver.membrane=arcs"}, ""});
+    });
     EXPECT_NE(error.find("membrane"), std::string::npos) << error;
     EXPECT_NE(error.find("constant-strain"), std::string::npos) << error;
 }
@@ -167,7 +169,7 @@ TEST(Scene, AWordThatIsNoneOfThoseKnownChoosesTheFirst) {
     EXPECT_EQ(root.choice_number("wrong", names), 0u);
     EXPECT_EQ(root.choice_number("other", names), 0u);
     for (const std::string key : {"solver.scheme", "solver.method"}) {
-        const std::string error = thrown_by([&] { scene_of(small_scene, {{key + "=unknown"}, ""}); });
+        const std::string error = message_thrown_by([&] { scene_of(small_scene, {{key + "=unknown"}, ""}); });
         EXPECT_NE(error.find(key + ": must be one of"), std::string::npos) << error;
     }
 }
@@ -175,7 +177,7 @@ TEST(Scene, AWordThatIsNoneOfThoseKnownChoosesTheFirst) {
 // Neither key would have an effect, so both are refused.
 TEST(Scene, CoupledHingesTakeNeitherAJacobianNorACalibration) {
     const auto error_with = [](const std::string& key) {
-        return thrown_by([&] { scene_of(small_scene, {{"solver.bending=coupled", key}, ""}); });
+        return message_thrown_by([&] { scene_of(small_scene, {{"solver.bending=coupled", key}, ""}); });
     };
     EXPECT_NE(error_with("solver.jacobian=cubic").find("coupled hinges have one matrix of their own"),
               std::string::npos);

@@ -6,10 +6,10 @@
 
 #include "app/scene/read/scene.h"
 #include "meshops/error.h"
+#include "tests/support/message_thrown_by.h"
 #include "tests/support/program.h"
 #include "tests/support/scene_of.h"
 #include "tests/support/temporary_directory.h"
-#include "tests/support/thrown_by.h"
 
 namespace sherd::test {
 namespace {
@@ -39,7 +39,7 @@ plane = { normal = [0, 0, 1] }
 )";
 
 std::string variant_message(const std::string& text, const SceneChoice& choice = {}) {
-    return thrown_by([&] { scene_of(text, choice); });
+    return message_thrown_by([&] { scene_of(text, choice); });
 }
 
 TEST(SceneVariant, ChangesItsKeysAndNothingElse) {

@@ -8,8 +8,8 @@
 #include "app/scene/build/winds.h"
 #include "app/scene/read/scene.h"
 #include "meshops/error.h"
+#include "tests/support/message_thrown_by.h"
 #include "tests/support/temporary_directory.h"
-#include "tests/support/thrown_by.h"
 
 namespace sherd::test {
 namespace {
@@ -44,7 +44,7 @@ SimulationOptions prepare(const std::string& text, std::vector<SheetInput>& inpu
 
 std::string wind_message(const std::string& text) {
     std::vector<SheetInput> inputs;
-    return thrown_by([&] { prepare(text, inputs); });
+    return message_thrown_by([&] { prepare(text, inputs); });
 }
 
 TEST(SceneWind, EveryKeyArrives) {

@@ -119,7 +119,7 @@ TEST(StudyMeasures, AreThoseOfTheRun) {
     EXPECT_EQ(values.at("peak_force.floor"), 7);
     EXPECT_EQ(values.at("peak_force_time.sheet.a.pin"), 0.2);
     EXPECT_FALSE(values.contains("first_crack.time")) << "nothing has failed";
-    for (const auto& [name, value] : values) EXPECT_EQ(measure_mistake(name), "") << "a study can ask for it";
+    for (const auto& [name, value] : values) EXPECT_EQ(measure_error(name), "") << "a study can ask for it";
 }
 
 }  // namespace

@@ -11,10 +11,10 @@
 #include "app/view/view_data.h"
 #include "meshops/error.h"
 #include "tests/support/base64.h"
+#include "tests/support/message_thrown_by.h"
 #include "tests/support/png_file.h"
 #include "tests/support/synthetic_run.h"
 #include "tests/support/temporary_directory.h"
-#include "tests/support/thrown_by.h"
 
 namespace sherd::test {
 namespace {
@@ -60,7 +60,7 @@ class LookOfPage : public ::testing::Test {
         return view_page(options, warnings);
     }
 
-    bool is_told(const std::string& words) const {
+    bool is_reported(const std::string& words) const {
         return std::ranges::any_of(
             warnings, [&](const std::string& warning) { return warning.find(words) != std::string::npos; });
     }
@@ -115,7 +115,8 @@ TEST_F(LookOfPage, HasThePicturesAsTheyAre) {
     ASSERT_TRUE(url.starts_with(head));
     EXPECT_EQ(from_base64(url.substr(head.size())), folder.contents().at(folder.path / "blue.png"));
     EXPECT_TRUE(warnings.empty());
-    EXPECT_NE(thrown_by([&] { pictures.add(folder.path / "none.png"); }).find("none.png"), std::string::npos);
+    EXPECT_NE(message_thrown_by([&] { pictures.add(folder.path / "none.png"); }).find("none.png"),
+              std::string::npos);
 }
 
 TEST_F(LookOfPage, ALargePictureIsMadeSmallerAndThisIsTold) {
@@ -147,11 +148,11 @@ TEST_F(LookOfPage, IsShownAtFirstUnlessAnotherColourIsAskedFor) {
     EXPECT_NE(page("").find(R"("start":"material")"), std::string::npos);
     EXPECT_NE(page("material").find(R"("start":"material")"), std::string::npos);
     EXPECT_NE(page("strain").find(R"("start":"fragment")"), std::string::npos);
-    EXPECT_FALSE(is_told("no materials and colours"));
+    EXPECT_FALSE(is_reported("no materials and colours"));
     const std::string small = page("", 0.012);
     EXPECT_NE(small.find(R"("start":"fragment")"), std::string::npos);
     EXPECT_EQ(small.find(R"("look":{)"), std::string::npos);
-    EXPECT_TRUE(is_told("no materials and colours"));
+    EXPECT_TRUE(is_reported("no materials and colours"));
 }
 
 TEST_F(LookOfPage, CannotBeAskedForWhereThereIsNone) {
@@ -160,7 +161,8 @@ TEST_F(LookOfPage, CannotBeAskedForWhereThereIsNone) {
     fs::remove(folder.path / "run.h5");
     fs::remove(folder.path / "run.xdmf");
     record(run, folder.path / "run.h5");
-    EXPECT_NE(thrown_by([&] { page("material"); }).find("no materials and no colours"), std::string::npos);
+    EXPECT_NE(message_thrown_by([&] { page("material"); }).find("no materials and no colours"),
+              std::string::npos);
     EXPECT_NE(page("").find(R"("start":"fragment")"), std::string::npos);
 }
 
@@ -185,7 +187,7 @@ TEST(PictureFile, OfAJpegIsReadBack) {
     ASSERT_EQ(read.width, 16);
     EXPECT_LT((read.colours - image.colours).cwiseAbs().maxCoeff(), 0.03f);
     folder.write("text.png", "no picture");
-    EXPECT_NE(thrown_by([&] { read_picture_file(folder.path / "text.png"); }).find("neither"),
+    EXPECT_NE(message_thrown_by([&] { read_picture_file(folder.path / "text.png"); }).find("neither"),
               std::string::npos);
 }
 

@@ -251,7 +251,7 @@ TornSquare torn_square(Index sides) {
     whole.faces = square.header.rest_faces;
     whole.face_fragment.assign(whole.faces.size(), 0);
     whole.face_sheet.assign(whole.faces.size(), 0);
-    whole.rest = recording_format::unbroken_mesh(square.header);
+    whole.rest = recording_format::unfractured_mesh(square.header);
     Snapshot torn = whole;
     torn.position.conservativeResize(3, count + across);
     torn.position.rightCols(across) = whole.position.middleCols(middle * across, across);

@@ -139,7 +139,7 @@ TEST(CrackTip, RingsEndBeforeForeignVertices) {
 }
 
 // Both crack faces belong to the first ring.
-TEST(CrackTip, FirstRingHasBothLips) {
+TEST(CrackTip, FirstRingHasBothCrackFaces) {
     const test::SlitPatch patch = flat_slit();
     int behind = 0;
     for (const Index vertex : patch.tip.rings[1])

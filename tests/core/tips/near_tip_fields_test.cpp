@@ -58,7 +58,7 @@ TEST(NearTipFields, MembraneIsInEquilibriumAndCompatible) {
     }
 }
 
-TEST(NearTipFields, MembraneHasItsFactorsAheadAndFreeLips) {
+TEST(NearTipFields, MembraneHasItsFactorsAheadAndFreeCrackFaces) {
     const Vector3d ahead = stress_there({0.01, 0});
     const double unit = 1 / std::sqrt(2 * std::numbers::pi * 0.01);
     EXPECT_NEAR(ahead[1], mixed_modes.first * unit, 1e-9 * ahead.norm());
@@ -94,7 +94,7 @@ TEST(NearTipFields, PlateIsInEquilibriumAndCompatible) {
 }
 
 // Kirchhoff's free edge: no moment, and a transverse force that is balanced by the change of twist.
-TEST(NearTipFields, PlateHasItsFactorAheadAndFreeLips) {
+TEST(NearTipFields, PlateHasItsFactorAheadAndFreeCrackFaces) {
     const double rigidity = glass_at_tip.young * std::pow(tip_thickness, 3) /
                             (12 * (1 - glass_at_tip.poisson * glass_at_tip.poisson));
     const double surface = 6 * rigidity / (tip_thickness * tip_thickness);
@@ -102,9 +102,9 @@ TEST(NearTipFields, PlateHasItsFactorAheadAndFreeLips) {
     EXPECT_NEAR(surface * ahead[1], mixed_modes.first / std::sqrt(2 * 0.01), 1e-9 * surface * ahead.norm());
     EXPECT_GT(ahead[2] * mixed_modes.second, 0);
     for (const double side : {2e-6, -2e-6}) {
-        const Vector2d lip(-0.01, side);
-        EXPECT_NEAR(moments_there(lip)[1], 0, 1e-3 * ahead.norm());
-        const double edge = shear_there(lip)[1] + derivative(moments_there, lip, 0)[2];
+        const Vector2d crack_face(-0.01, side);
+        EXPECT_NEAR(moments_there(crack_face)[1], 0, 1e-3 * ahead.norm());
+        const double edge = shear_there(crack_face)[1] + derivative(moments_there, crack_face, 0)[2];
         EXPECT_NEAR(edge, 0, 1e-3 * ahead.norm() / 0.01);
     }
 }

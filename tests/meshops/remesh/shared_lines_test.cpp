@@ -31,7 +31,7 @@ Mesh sheet(int columns, int rows, const Place& place, bool closed = false) {
     return mesh;
 }
 
-Mesh together(Mesh one, const Mesh& other) {
+Mesh coincident(Mesh one, const Mesh& other) {
     one += other;
     return one;
 }
@@ -86,9 +86,9 @@ bool is_below_fin(const Point& p) {
 // from contact. Touching in faces they would intersect.
 TEST(SharedLines, AreDividedAlikeOnAllSheets) {
     for (const double edge_length : {0.04, 0.023, 0.012, 0.006, 0.0031}) {
-        expect_one_division(together(plate(), fin(0, 20)), edge_length, is_below_fin);
-        expect_one_division(together(plate(), fin(0, 20, 6)), edge_length, is_below_fin);
-        expect_one_division(together(tube(0.05, 0, 6), tube(0.05, 6, 10)), edge_length,
+        expect_one_division(coincident(plate(), fin(0, 20)), edge_length, is_below_fin);
+        expect_one_division(coincident(plate(), fin(0, 20, 6)), edge_length, is_below_fin);
+        expect_one_division(coincident(tube(0.05, 0, 6), tube(0.05, 6, 10)), edge_length,
                             [](const Point& p) { return std::abs(p.z() - 0.06) < 1e-9; });
     }
 }
@@ -96,19 +96,19 @@ TEST(SharedLines, AreDividedAlikeOnAllSheets) {
 // The line ends within the plate, where a border of the fin turns upwards.
 TEST(SharedLines, EndWhereSheetsPart) {
     for (const double edge_length : {0.023, 0.012, 0.006})
-        expect_one_division(together(plate(), fin(4, 15)), edge_length, [](const Point& p) {
+        expect_one_division(coincident(plate(), fin(4, 15)), edge_length, [](const Point& p) {
             return is_below_fin(p) && p.x() > 0.04 - 1e-9 && p.x() < 0.15 + 1e-9;
         });
 }
 
 // Two layers in one place share all of their edges: if these were lines, nothing could be remeshed.
 TEST(SharedLines, AreNotThoseOfDoubledSheets) {
-    const SharedEdges doubled = shared_edges(together(plate(), plate()));
+    const SharedEdges doubled = shared_edges(coincident(plate(), plate()));
     EXPECT_EQ(std::ranges::count(doubled.is_shared, 1), 0);
-    EXPECT_TRUE(doubled.together.empty());
-    const SharedEdges standing = shared_edges(together(plate(), fin(0, 20)));
+    EXPECT_TRUE(doubled.coincident.empty());
+    const SharedEdges standing = shared_edges(coincident(plate(), fin(0, 20)));
     EXPECT_EQ(std::ranges::count(standing.is_shared, 1), 40);
-    EXPECT_EQ(standing.together.size(), 21U);
+    EXPECT_EQ(standing.coincident.size(), 21U);
 }
 
 }  // namespace

@@ -12,10 +12,10 @@
 #include "meshops/mesh_measures.h"
 #include "meshops/write_mesh.h"
 #include "tests/support/mesh_shapes.h"
+#include "tests/support/message_thrown_by.h"
 #include "tests/support/png_file.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_directory.h"
-#include "tests/support/thrown_by.h"
 #include "tests/support/vdb_file.h"
 
 namespace sherd::test {
@@ -59,7 +59,7 @@ class ThicknessMaps : public testing::Test {
         return made;
     }
     std::string message_of(const std::string& thickness, const std::string& mesh = "\"square.obj\"") {
-        return thrown_by([&] { input(thickness, mesh); });
+        return message_thrown_by([&] { input(thickness, mesh); });
     }
     TemporaryDirectory directory;
     std::vector<std::string> warnings;

@@ -7,7 +7,7 @@
 
 #include <map>
 
-#include "tests/support/thrown_by.h"
+#include "tests/support/message_thrown_by.h"
 
 namespace sherd {
 namespace test {
@@ -111,11 +111,13 @@ TEST(Key, EachMistakeIsOneErrorThatNamesItsKey) {
              {"glaze = \"lead\"", "any more: \"clear\" does no harm"},
              {"colour = \"red\"", "any more: glaze says it"},
              {"volme = 1", "mug.volme: unknown key; did you mean 'volume'?"}}) {
-        const std::string error = test::thrown_by([&text = text] { read_mug("maker = \"Eve\"\n" + text); });
+        const std::string error =
+            test::message_thrown_by([&text = text] { read_mug("maker = \"Eve\"\n" + text); });
         EXPECT_NE(error.find(wanted), std::string::npos) << text << ": " << error;
         EXPECT_EQ(error.find('\n'), std::string::npos) << "one error: " << error;
     }
-    EXPECT_NE(test::thrown_by([] { read_mug(""); }).find("mug.maker"), std::string::npos) << "is required";
+    EXPECT_NE(test::message_thrown_by([] { read_mug(""); }).find("mug.maker"), std::string::npos)
+        << "is required";
 }
 
 TEST(Key, TheReferenceHasDefaultsOfTheStructAndLeavesRetiredKeysOut) {

@@ -10,9 +10,9 @@
 
 #include "app/files/checksum.h"
 #include "app/scene/read/scene.h"
+#include "tests/support/message_thrown_by.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_directory.h"
-#include "tests/support/thrown_by.h"
 
 namespace sherd::test {
 namespace {
@@ -33,7 +33,7 @@ TEST(SceneText, AMeshOrARecordingInPlaceOfAFileIsNamedAsSuch) {
           {"bowl.h5", "\x89HDF\r\n\x1a\n",
            "bowl.h5: cannot read the scene: it is an HDF5 file, as recordings are"}}) {
         const std::filesystem::path file = directory.write(name, content);
-        const std::string said = thrown_by([&] { read_scene_text(file); });
+        const std::string said = message_thrown_by([&] { read_scene_text(file); });
         EXPECT_NE(said.find(reason), std::string::npos) << said;
     }
 }

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace sherd {
+
+/// Throws Error (run): a file cannot grow by `bytes` (0: by any amount), for the reason of an error number.
+[[noreturn]] void throw_no_space(const std::filesystem::path& file, std::size_t bytes, int reason);
+
+/// Whether an error number means that the disk, a quota or a file size limit is exhausted.
+bool disk_is_full(int reason);
+
+}  // namespace sherd

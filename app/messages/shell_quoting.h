@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace sherd {
+
+/// Returns a word as a shell reads it, in quotes if necessary.
+std::string shell_quoted(const std::string& word);
+
+/// Returns a path as an argument that no program takes for an option: "./-a.toml".
+std::string path_argument(const std::filesystem::path& path);
+
+}  // namespace sherd
