@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <numbers>
+#include <vector>
 
 #include "app/commands.h"
-#include "app/cut_lines.h"
 #include "app/files/pending_file.h"
 #include "app/json/json.h"
 #include "app/messages/print.h"
@@ -14,12 +18,56 @@
 #include "fracture/crack_mesh.h"
 #include "meshops/components.h"
 #include "meshops/error.h"
+#include "meshops/line_cut.h"
 #include "meshops/material_library.h"
 #include "meshops/read_mesh.h"
+#include "meshops/text_line.h"
 #include "meshops/write_mesh.h"
 
 namespace sherd {
 namespace {
+
+double coordinate(TextLine& line) {
+    if (line.is_at_end()) line.fail("a coordinate is missing; write x y z, in metres", "");
+    const double value = line.next_number();
+    if (!std::isfinite(value)) line.fail("a coordinate is not finite", "");
+    return value;
+}
+
+/// Reads polylines from a text file with a point per line as x y z, m; a blank line begins another polyline.
+/// A # starts a comment. Points are named by file and line. Throws Error with file and line on a line that is
+/// not three finite numbers, on a polyline of one point, and on a file that is missing or has no point.
+std::vector<std::vector<LinePoint>> read_cut_lines(const std::filesystem::path& file) {
+    std::ifstream stream(file);
+    if (!stream || std::filesystem::is_directory(file))
+        throw Error(fmt::format("{}: cannot read the lines to cut; check the path", file.string()));
+    std::vector<std::vector<LinePoint>> lines;
+    bool is_new = true;
+    const std::string content{std::istreambuf_iterator<char>(stream), {}};
+    TextLines texts(file, without_byte_order_mark(file, content));
+    while (!texts.is_at_end()) {
+        const std::string_view text = texts.next_text();
+        const bool is_comment =
+            text.find_first_not_of(" \t\r") == text.find('#') && text.find('#') != text.npos;
+        TextLine line(file, texts.number(), text.substr(0, text.find('#')));
+        if (line.is_at_end()) {
+            is_new = is_new || !is_comment;
+            continue;
+        }
+        const double x = coordinate(line), y = coordinate(line), z = coordinate(line);
+        if (!line.is_at_end()) line.fail("is one too many; write x y z, in metres", line.next_word());
+        if (is_new) lines.emplace_back();
+        is_new = false;
+        lines.back().push_back({{x, y, z}, fmt::format("{}:{}", file.string(), texts.number())});
+    }
+    if (lines.empty()) throw Error(fmt::format("{}: holds no point; write x y z a line", file.string()));
+    for (const auto& line : lines)
+        if (line.size() < 2)
+            throw Error(line.front().name +
+                        ": this point stands alone; a line needs two or more, without an empty "
+                        "line between them");
+    return lines;
+}
 
 struct CutOptions {
     std::filesystem::path mesh, edges, line, output;

@@ -8,7 +8,7 @@
 
 #include "app/measures/fragment_info.h"
 #include "app/recording/recording.h"
-#include "app/run/load_history.h"
+#include "app/run/run_totals.h"
 #include "app/tip_info.h"
 
 namespace sherd {

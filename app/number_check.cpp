@@ -5,7 +5,7 @@
 
 #include <charconv>
 
-#include "app/messages/number.h"
+#include "app/messages/number_list.h"
 
 namespace sherd {
 namespace {

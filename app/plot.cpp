@@ -10,8 +10,8 @@
 #include <map>
 #include <memory>
 
+#include "app/chart/chart.h"
 #include "app/chart/chart_page.h"
-#include "app/chart/palette.h"
 #include "app/commands.h"
 #include "app/files/pending_file.h"
 #include "app/messages/counted.h"

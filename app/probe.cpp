@@ -8,6 +8,8 @@
 #include <cmath>
 
 #include "app/scene/build/material_axes.h"
+#include "app/scene/read/material.h"
+#include "app/scene/toml/toml_file.h"
 #include "core/bending/coupled_bending.h"
 #include "core/bending/cubic_bending.h"
 #include "core/bending/nonlinear_bending.h"
@@ -93,6 +95,23 @@ Shell file_sheet(const ProbeShapes& shapes, const MaterialFile& material,
 }
 
 }  // namespace
+
+MaterialFile read_material_file(const std::filesystem::path& file) {
+    const toml::table document = parse_toml(read_toml_text(file, "material"), file);
+    Problems problems;
+    TomlTable table(document, "", problems, file.parent_path());
+    MaterialFile result;
+    if (table.has("bending_stiffness"))
+        result.bending_stiffness = table.number("bending_stiffness", "N m", positive);
+    SheetSpec sheet;
+    read_section(table, material_section, sheet);
+    if (table.is_table("thickness"))
+        table.report("thickness", "must be a positive number (m), not a table: it is that of all vertices");
+    result.axis = sheet.axis;
+    result.material = sheet.material;
+    problems.throw_if_any();
+    return result;
+}
 
 ProbeShapes read_probe_shapes(const std::filesystem::path& rest, const std::filesystem::path& deformed,
                               std::vector<std::string>& warnings) {

@@ -3,14 +3,27 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "app/material_file.h"
+#include "app/scene/material_axis.h"
+#include "core/material/material.h"
 #include "core/shell/face_fields.h"
 #include "meshops/mesh.h"
 
 namespace sherd {
+
+/// Contents of a material file, without a scene.
+struct MaterialFile {
+    Material material;
+    MaterialAxis axis;                        ///< axis of a directional material
+    std::optional<double> bending_stiffness;  ///< lambda of every hinge instead of the material's, N m
+};
+
+/// Reads the keys of a scene's [material] table at the top level of a TOML file, and `bending_stiffness`.
+/// Throws Error as read_scene does, with a line for each mistake.
+MaterialFile read_material_file(const std::filesystem::path& file);
 
 /// Two shapes of one sheet. The deformed one has positions of vertices only, so it may be distorted
 /// arbitrarily.

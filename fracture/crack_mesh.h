@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "core/state_visitor.h"
-#include "fracture/edge_state.h"
 #include "meshops/advance_edge.h"
 
 namespace sherd {
+
+/// State of an edge (paper, appendix B). It only increases.
+enum class EdgeState : std::uint8_t {
+    interior = 0,            ///< has a hinge
+    fractured_interior = 1,  ///< failed but closed: its two faces share both end points
+    boundary = 2             ///< open, or on the boundary from the start
+};
 
 /// A mesh whose edges fail and open: the state machine of the paper's appendix B, without physics. Two
 /// corners of one original vertex share a vertex if and only if they are connected around it across interior

@@ -5,12 +5,17 @@
 
 #include "core/material/material.h"
 #include "core/motion.h"
-#include "fracture/art_direction.h"
 #include "fracture/strength.h"
 #include "fracture/toughness.h"
 #include "meshops/mesh.h"
 
 namespace sherd {
+
+/// Limits on the fracture of a sheet, whatever its load, for the sake of a picture.
+struct ArtDirection {
+    double after = 0;     ///< s; no edge of the sheet fails before this time
+    double smallest = 0;  ///< m; square root of the area of the smallest piece that may separate; 0: any
+};
 
 /// Pinned vertices with one scripted motion, relative to their rest positions.
 struct MovingPin {

@@ -8,7 +8,7 @@
 
 #include "core/shell/face_fields.h"
 #include "core/state_visitor.h"
-#include "fracture/edge_state.h"
+#include "fracture/crack_mesh.h"
 #include "fracture/mesh_state.h"
 #include "meshops/attributes.h"
 

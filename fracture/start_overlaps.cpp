@@ -6,7 +6,6 @@
 #include <set>
 
 #include "core/contact/sheets/sheet_contact.h"
-#include "meshops/face_with.h"
 #include "meshops/mesh_measures.h"
 #include "meshops/self_intersections.h"
 

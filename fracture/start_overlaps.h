@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "fracture/breakable_shell.h"
-#include "fracture/start_overlap.h"
+#include "fracture/start_exemptions.h"
 
 namespace sherd {
 

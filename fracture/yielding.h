@@ -1,10 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "fracture/face_place.h"
+#include "core/shell/shell.h"
 #include "fracture/surface_stress.h"
 
 namespace sherd {
+
+/// Place of a face for messages and reports; sheet -1: none.
+struct FacePlace {
+    Index sheet = -1;                  ///< number of the input
+    Vector3d rest = Vector3d::Zero();  ///< m, the middle of the face at rest
+};
+
+inline FacePlace face_place(const Shell& shell, Index face) {
+    return {shell.face_sheet[face], columns(shell.rest, shell.triangles[face].vertices).rowwise().mean()};
+}
 
 /// The largest ratio of stress to the yield stress of its sheet, and its place.
 struct YieldPeak {

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "meshops/disjoint_sets.h"
-#include "meshops/soup_edges.h"
+#include "meshops/triangle_soup.h"
 
 namespace sherd {
 namespace {

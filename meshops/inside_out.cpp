@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "meshops/disjoint_sets.h"
-#include "meshops/soup_edges.h"
+#include "meshops/triangle_soup.h"
 
 namespace sherd {
 namespace {

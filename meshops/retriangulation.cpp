@@ -3,20 +3,132 @@
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
+#include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <vector>
 
 #include "meshops/inherit_attributes.h"
+#include "meshops/mesh.h"
 #include "meshops/mesh_measures.h"
-#include "meshops/overlay.h"
 #include "meshops/plane.h"
-#include "meshops/unfold.h"
 
 namespace sherd {
 namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
+
+/// The faces around a vertex, laid into a plane: the vertex is the origin, sides have their lengths, and the
+/// angles are scaled so that they close: by 2 pi over their sum, on the boundary by pi.
+struct UnfoldedFan {
+    std::vector<Face> faces;              ///< counterclockwise
+    std::vector<Vertex> ring;             ///< faces[i] has the corners vertex, ring[i], ring[i + 1]
+    std::vector<Eigen::Vector2d> places;  ///< m, places of the ring's vertices
+};
+
+using Eigen::Vector2d;
+
+using Eigen::Vector3d;
+
+/// The halfedge out of a vertex from which all faces at it follow counterclockwise.
+Halfedge first_outward(const Mesh& mesh, Vertex vertex) {
+    for (const Halfedge in : mesh.halfedges_around_target(mesh.halfedge(vertex)))
+        if (mesh.is_border(in)) return mesh.opposite(in);
+    return mesh.opposite(mesh.halfedge(vertex));
+}
+
+/// Unfolds the faces around a vertex. The ring of an interior vertex ends with its first vertex.
+UnfoldedFan unfold_fan(const Mesh& mesh, Vertex vertex) {
+    const Vector3d centre = position(mesh, vertex);
+    UnfoldedFan fan;
+    std::vector<double> angles{0}, lengths;
+    const Halfedge first = first_outward(mesh, vertex);
+    Halfedge out = first;
+    for (;;) {
+        fan.ring.push_back(mesh.target(out));
+        const Vector3d side = position(mesh, mesh.target(out)) - centre;
+        lengths.push_back(side.norm());
+        if (mesh.is_border(out)) break;
+        fan.faces.push_back(mesh.face(out));
+        const Vector3d next = position(mesh, mesh.target(mesh.next(out))) - centre;
+        angles.push_back(angles.back() + std::atan2(side.cross(next).norm(), side.dot(next)));
+        out = mesh.opposite(mesh.prev(out));
+        if (out != first) continue;
+        fan.ring.push_back(mesh.target(first));
+        lengths.push_back(lengths.front());
+        break;
+    }
+    const double whole = mesh.is_border(out) ? std::numbers::pi : 2 * std::numbers::pi;
+    const double scale = whole / angles.back();
+    for (std::size_t i = 0; i < fan.ring.size(); ++i)
+        fan.places.emplace_back(lengths[i] * std::cos(scale * angles[i]),
+                                lengths[i] * std::sin(scale * angles[i]));
+    return fan;
+}
+
+/// The places of source, target and the two opposite corners of the faces at h, unfolded about it: the source
+/// is the origin, the target on the x axis, the face of h above it, the opposite one below.
+std::array<Vector2d, 4> unfold_pair(const Mesh& mesh, Halfedge h) {
+    const Vector3d source = position(mesh, mesh.source(h));
+    const Vector3d side = position(mesh, mesh.target(h)) - source;
+    const double length = side.norm();
+    const auto apex = [&](Halfedge at) {
+        const Vector3d way = position(mesh, mesh.target(mesh.next(at))) - source;
+        return Vector2d(way.dot(side) / length, way.cross(side).norm() / length);
+    };
+    const Vector2d above = apex(h), below = apex(mesh.opposite(h));
+    return {Vector2d::Zero(), Vector2d(length, 0), above, Vector2d(below.x(), -below.y())};
+}
+
+using PlaneTriangle = std::array<Eigen::Vector2d, 3>;  ///< counterclockwise
+
+using Eigen::Vector2d;
+
+/// The part of a convex polygon to the left of the line from a to b.
+std::vector<Vector2d> left_part(const std::vector<Vector2d>& polygon, const Vector2d& a, const Vector2d& b) {
+    std::vector<Vector2d> part;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vector2d &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+        const double at_p = cross(b - a, p - a), at_q = cross(b - a, q - a);
+        if (at_p >= 0) part.push_back(p);
+        if ((at_p > 0 && at_q < 0) || (at_p < 0 && at_q > 0))
+            part.emplace_back(p + at_p / (at_p - at_q) * (q - p));
+    }
+    return part;
+}
+
+/// Area that two triangles have in common.
+double common_area(const PlaneTriangle& a, const PlaneTriangle& b) {
+    std::vector<Vector2d> part(a.begin(), a.end());
+    for (int i = 0; i < 3 && !part.empty(); ++i) part = left_part(part, b[i], b[(i + 1) % 3]);
+    double doubled = 0;
+    for (std::size_t i = 2; i < part.size(); ++i) doubled += cross(part[i - 1] - part[0], part[i] - part[0]);
+    return std::max(doubled, 0.0) / 2;
+}
+
+/// Which fraction of each old triangle each new one covers, where both cover the same polygon: [new, old],
+/// the sum of each column is 1. Where round-off or curvature makes the two polygons differ, the fractions are
+/// scaled to that sum.
+Eigen::MatrixXd covered_fractions(std::span<const PlaneTriangle> now, std::span<const PlaneTriangle> old) {
+    constexpr double round_off = 1e-15;
+    Eigen::MatrixXd fractions(now.size(), old.size());
+    for (std::size_t j = 0; j < old.size(); ++j) {
+        for (std::size_t i = 0; i < now.size(); ++i) fractions(i, j) = common_area(now[i], old[j]);
+        auto column = fractions.col(static_cast<Eigen::Index>(j));
+        column = (column.array() < round_off * column.sum()).select(0, column);
+        const double sum = column.sum();
+        if (sum > 0)
+            column /= sum;
+        else
+            column.setConstant(1.0 / static_cast<double>(now.size()));
+    }
+    return fractions;
+}
 
 bool has_corner(const Mesh& mesh, Face face, Vertex vertex) {
     return corner_number(face_corners(mesh, face), vertex) < 3;

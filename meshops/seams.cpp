@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "meshops/soup_edges.h"
+#include "meshops/triangle_soup.h"
 
 namespace sherd {
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "meshops/number_text.h"
-#include "meshops/soup_edges.h"
 
 namespace sherd {
 namespace {

@@ -9,7 +9,7 @@
 #include <map>
 #include <sstream>
 
-#include "app/files/picture_file.h"
+#include "app/files/image.h"
 #include "app/render/material_look.h"
 #include "app/render/render_light.h"
 #include "app/render/render_obstacle.h"

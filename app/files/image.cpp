@@ -7,20 +7,34 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <csetjmp>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <system_error>
 #include <vector>
 
-#include "app/files/deflate.h"
 #include "meshops/error.h"
 
 namespace sherd {
 namespace {
 
 using FilePointer = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+/// The two texels beside a texture coordinate, and the weight of the second.
+struct Neighbours {
+    int low, high;
+    double weight;
+};
+
+Neighbours neighbours(double coordinate, int count) {
+    const double at = (coordinate - std::floor(coordinate)) * count - 0.5, low = std::floor(at);
+    const auto wrapped = [count](double index) { return (static_cast<int>(index) + count) % count; };
+    return {wrapped(low), wrapped(low + 1), at - low};
+}
 
 void keep_message(png_structp png, png_const_charp message) {
     *static_cast<std::string*>(png_get_error_ptr(png)) = message;
@@ -136,6 +150,30 @@ bool is_cut_off(const PngHead& head, std::uintmax_t bytes) {
 }
 
 }  // namespace
+
+std::array<WeightedColour, 4> texels_around(const Image& image, const Eigen::Vector2d& uv) {
+    const Neighbours x = neighbours(uv.x(), image.width), y = neighbours(uv.y(), image.height);
+    const auto texel = [&](int column, int row) { return image.colour(column, image.height - 1 - row); };
+    return {{{texel(x.low, y.low), (1 - x.weight) * (1 - y.weight)},
+             {texel(x.high, y.low), x.weight * (1 - y.weight)},
+             {texel(x.low, y.high), (1 - x.weight) * y.weight},
+             {texel(x.high, y.high), x.weight * y.weight}}};
+}
+
+PictureFile read_picture_file(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    PictureFile picture{{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()}};
+    picture.is_jpeg = picture.bytes.starts_with("\xff\xd8\xff");
+    if (picture.bytes.empty())
+        throw Error(file.string() + ": the picture cannot be read, or is empty; check the path");
+    if (!picture.is_jpeg && !picture.bytes.starts_with("\x89PNG\r\n\x1a\n"))
+        throw Error(file.string() + ": the picture is neither .png nor .jpg");
+    return picture;
+}
+
+PictureFile picture_file(const Image& image, bool is_jpeg) {
+    return {is_jpeg ? jpeg_bytes(image) : png_bytes(image), is_jpeg};
+}
 
 Image read_png(const std::filesystem::path& file) {
     const auto fail = [&](const std::string& what) {

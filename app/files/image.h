@@ -2,12 +2,17 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 namespace sherd {
+
+/// Largest number of bytes that deflate compresses into one, reached for zeros. PNG and HDF5 use it: a file
+/// whose header claims more is damaged.
+inline constexpr std::uintmax_t most_of_a_deflated_byte = 1032;
 
 /// Colours as a file stores them, 0 to 1.
 struct Image {
@@ -44,5 +49,30 @@ std::string jpeg_bytes(const Image& image);
 
 /// The bytes of a PNG file of 8 bits a channel that shows the image; the same bytes for the same image.
 std::string png_bytes(const Image& image);
+
+/// An encoded picture, to be embedded in another file.
+struct PictureFile {
+    std::string bytes;
+    bool is_jpeg = false;  ///< otherwise PNG
+
+    const char* media_type() const { return is_jpeg ? "image/jpeg" : "image/png"; }
+};
+
+/// Throws Error naming the file if it cannot be read or is neither PNG nor JPEG by its first bytes.
+PictureFile read_picture_file(const std::filesystem::path& file);
+
+/// Encodes an image as JPEG or PNG.
+PictureFile picture_file(const Image& image, bool is_jpeg);
+
+/// A texel, and its weight in a bilinear mean.
+struct WeightedColour {
+    Eigen::Vector3f colour;
+    double weight;
+};
+
+/// Returns the four texels around texture coordinates (u, v); their weights add up to one. (0, 0) is the
+/// lower left corner of the image and (1, 1) the upper right one. A texel's colour holds at its centre, and
+/// the image repeats in both directions.
+std::array<WeightedColour, 4> texels_around(const Image& image, const Eigen::Vector2d& uv);
 
 }  // namespace sherd

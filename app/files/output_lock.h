@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "app/files/descriptor.h"
+#include "app/files/disk_file.h"
 
 namespace sherd {
 

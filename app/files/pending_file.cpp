@@ -11,7 +11,6 @@
 #include <fstream>
 #include <iterator>
 
-#include "app/files/descriptor.h"
 #include "app/files/disk_file.h"
 #include "app/files/disk_space.h"
 #include "meshops/text_line.h"

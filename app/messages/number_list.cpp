@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
 #include <exception>
 #include <sstream>
@@ -10,6 +11,13 @@
 #include "meshops/error.h"
 
 namespace sherd {
+
+std::optional<double> number_of(std::string_view text) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.begin(), text.end(), value);
+    if (error != std::errc() || end != text.end() || !std::isfinite(value)) return std::nullopt;
+    return value;
+}
 
 std::vector<double> number_list(const std::string& option, const std::string& text) {
     std::vector<double> numbers;

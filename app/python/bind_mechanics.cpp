@@ -1,12 +1,89 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
 #include <pybind11/stl.h>
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "app/python/arrays.h"
 #include "app/python/bindings.h"
-#include "app/python/scene_mechanics.h"
+#include "app/scene/build/built_scene.h"
+#include "core/bending/bending.h"
+#include "core/forces/shell_energies.h"
+#include "meshops/error.h"
 
 namespace sherd::python {
 namespace {
+
+/// Elastic energy of a scene's sheets as a function of the positions of their vertices, [3, V] m, with the
+/// exact second derivative, and without supports.
+class SceneMechanics {
+  public:
+    explicit SceneMechanics(const Scene& scene);
+    SceneMechanics(const SceneMechanics&) = delete;  // the energies refer to the shell
+
+    const Shell& shell() const { return built.sheets.mechanics(); }
+    const std::vector<std::string>& warnings() const { return warning_list; }
+
+    /// Returns the positions. Throws Error if there are not V.
+    Positions placed(Positions positions) const;
+    struct Parts {
+        double bending, membrane;  ///< J
+    };
+    Parts energies(const Positions& x);
+    Positions gradient(const Positions& x);
+    BlockMatrix hessian(const Positions& x);
+    FaceFields fields(const Positions& x);
+
+  private:
+    std::vector<std::string> warning_list;
+    BuiltScene built;
+    ShellEnergies all;
+};
+
+/// Returns options with the exact second derivative of the energy.
+ShellEnergyOptions exact(ShellEnergyOptions options) {
+    options.bending.jacobian = exact_jacobian(options.bending.model);
+    return options;
+}
+
+SceneMechanics::SceneMechanics(const Scene& scene)
+    : built(build_scene(scene, warning_list)), all(shell(), exact(built.options.stepper.shell)) {
+    const StepContext start{0, 0, 0, shell().position, shell().velocity, {}};
+    for (Energy* energy : all.elastic()) energy->begin(start);
+}
+
+Positions SceneMechanics::placed(Positions positions) const {
+    if (positions.cols() != shell().position.cols())
+        throw Error(fmt::format("positions: has {} rows, and the sheets have {} vertices", positions.cols(),
+                                shell().position.cols()));
+    return positions;
+}
+
+SceneMechanics::Parts SceneMechanics::energies(const Positions& x) {
+    return {all.bending_value(x), all.membrane_value(x)};
+}
+
+Positions SceneMechanics::gradient(const Positions& x) {
+    Positions sum = Positions::Zero(3, x.cols());
+    for (const Energy* energy : all.elastic()) energy->add_gradient(x, sum);
+    return sum;
+}
+
+BlockMatrix SceneMechanics::hessian(const Positions& x) {
+    std::vector<std::pair<Index, Index>> pairs;
+    for (const Energy* energy : all.elastic()) energy->add_pattern(pairs);
+    const auto vertices = static_cast<Index>(x.cols());
+    BlockMatrix sum(vertices, pairs, std::vector<char>(static_cast<std::size_t>(vertices), 0));
+    for (const Energy* energy : all.elastic()) energy->add_hessian(x, Curvature::exact, sum);
+    return sum;
+}
+
+FaceFields SceneMechanics::fields(const Positions& x) {
+    return face_fields(shell(), all.face_strains(x), all.face_curvatures(x), {true, true, true});
+}
 
 /// Lower triangle in the form of scipy.sparse.csc_matrix: values, rows, starts of columns.
 py::tuple hessian(SceneMechanics& mechanics, const Numbers& positions) {

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "app/recording/hdf5.h"
-#include "app/recording/recorded_obstacle.h"
+#include "app/recording/recording.h"
 
 namespace sherd::recording_format {
 

@@ -12,16 +12,45 @@
 
 #include "app/files/journaled_file.h"
 #include "app/files/output_lock.h"
-#include "app/recording/recorded_obstacle.h"
 #include "app/recording/xdmf.h"
 #include "core/state_visitor.h"
+#include "core/vector.h"
 #include "fracture/events.h"
 #include "fracture/snapshot.h"
 #include "fracture/step_report.h"
+#include "meshops/signed_distance_grid.h"
 
 namespace sherd {
 
 class PendingFile;
+
+/// An obstacle that can be drawn.
+struct RecordedObstacle {
+    std::string name;
+    GridSurface surface;  ///< in the obstacle's own frame
+    bool plane = false;   ///< infinite plane; the surface is a square of it that faces the sheets
+    /// Whether each frame has its points (ObstacleShapes); its pose is then the identity.
+    bool deforms = false;
+};
+
+/// Points in space of each obstacle that deforms, m, in a frame or between two; empty for other obstacles.
+using ObstacleShapes = std::vector<std::vector<Vector3d>>;
+
+/// Returns the surface with other points, or unchanged if `points` is empty.
+inline GridSurface reshaped(const GridSurface& surface, const std::vector<Vector3d>& points) {
+    return points.empty() ? surface : GridSurface{points, surface.triangles};
+}
+
+/// Places of the obstacles in a frame of a recording.
+struct ObstaclePlaces {
+    std::vector<Eigen::Isometry3d> poses;  ///< from each obstacle's own frame to space
+    std::vector<std::string> points;       ///< path of the dataset with each obstacle's points in space
+
+    void visit_state(StateVisitor& visit) {
+        auto& [poses, points] = *this;
+        visit(poses, points);
+    }
+};
 
 /// A support or an obstacle whose reaction is recorded.
 struct RecordedSupport {

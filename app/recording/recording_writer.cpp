@@ -4,18 +4,55 @@
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
 #include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "app/files/pending_file.h"
 #include "app/messages/build_info.h"
+#include "app/recording/hdf5.h"
 #include "app/recording/hdf5_file.h"
 #include "app/recording/obstacle_writer.h"
 #include "app/recording/recording.h"
-#include "app/recording/recording_extent.h"
 #include "app/recording/recording_table.h"
 #include "core/elements/membrane.h"
 #include "meshops/shared_values.h"
+
+namespace sherd::recording_format {
+namespace {
+
+/// Returns the number of rows of each table of a recording.
+std::vector<std::size_t> extent(hid_t file) {
+    std::vector<std::size_t> rows;
+    visit_tables([&]<class Row>(std::type_identity<Row>) { rows.push_back(table_rows<Row>(file)); });
+    visit_lists([&]<class Row>(std::vector<Row> StepReport::*, const std::string& group) {
+        for (const std::string& table : numbered_groups(file, group))
+            rows.push_back(table_rows<Row>(file, table));
+    });
+    return rows;
+}
+
+/// Truncates the file to `frames` frames, and to `rows` rows of each table. Throws Error (run) if it holds
+/// less.
+void cut(hid_t file, std::size_t frames, std::span<const std::size_t> rows) {
+    const std::vector<std::size_t> now = extent(file);
+    const std::size_t frames_now = hdf5::member_count(file, "frames");
+    if (frames_now < frames || now.size() != rows.size() ||
+        !std::ranges::equal(rows, now, std::ranges::less_equal()))
+        throw Error("it holds less than had been recorded at the checkpoint", Fault::run);
+    for (std::size_t frame = frames_now; frame-- > frames;) hdf5::remove(file, frame_group(frame));
+    auto left = rows.begin();
+    visit_tables([&]<class Row>(std::type_identity<Row>) { shorten_table<Row>(file, *left++); });
+    visit_lists([&]<class Row>(std::vector<Row> StepReport::*, const std::string& group) {
+        for (const std::string& table : numbered_groups(file, group))
+            shorten_table<Row>(file, *left++, table);
+    });
+}
+
+}  // namespace
+}  // namespace sherd::recording_format
 
 namespace sherd {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "app/files/texels.h"
+#include "app/files/image.h"
 #include "app/render/render_sample.h"
 
 namespace sherd {

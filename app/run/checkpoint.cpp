@@ -6,13 +6,55 @@
 #include <algorithm>
 #include <cstring>
 #include <ostream>
+#include <sstream>
 
 #include "app/files/checksum.h"
 #include "app/files/pending_file.h"
+#include "app/files/program_file.h"
+#include "app/run/obstacle_track.h"
 #include "app/run/state_archive.h"
 
 namespace sherd {
 namespace {
+
+/// Settings that a resumed run may change: it may be longer, and keep checkpoints more often.
+constexpr const char* free_keys[] = {"duration", "output.checkpoint"};
+
+/// Checksum of the initial state, with all data that textures, grids and lists may vary over a sheet. Structs
+/// are left out, since their padding may have any bytes: they follow from these data and the settings.
+std::uint64_t checksum_of_start(const Runner& runner) {
+    Shell shell = runner.simulation().shell().mechanics();
+    const std::span<const Vector3d> axes = runner.simulation().shell().axes();
+    std::vector<Vector3d> face_axes(axes.begin(), axes.end());
+    std::ostringstream text;
+    StateWriter writer(text);
+    writer(shell.rest, shell.position, shell.velocity, shell.mass, shell.thickness, shell.young,
+           shell.footprint, shell.fixed, shell.script, shell.guide, shell.support_set, shell.vertex_sheet,
+           shell.face_sheet, shell.edge_strength, shell.edge_toughness, face_axes);
+    const ObstacleTrack track(runner.scene(), runner.simulation());
+    for (RecordedObstacle obstacle : track.obstacles())
+        writer(obstacle.surface.points, obstacle.surface.triangles);
+    return checksum(text.view());
+}
+
+template <class T, class Words>
+std::string differences(const std::map<std::string, T>& before, const std::map<std::string, T>& now,
+                        Words words) {
+    std::map<std::string, std::pair<const T*, const T*>> both;
+    for (const auto& [key, value] : before) both[key].first = &value;
+    for (const auto& [key, value] : now) both[key].second = &value;
+    std::string text;
+    for (const auto& [key, values] : both)
+        if (!values.first || !values.second || *values.first != *values.second)
+            text += words(key, values.first, values.second) + "\n";
+    return text;
+}
+
+std::string setting_words(const std::string& key, const std::string* before, const std::string* now) {
+    if (!before) return fmt::format("{} = {} has been added", key, *now);
+    if (!now) return fmt::format("{} = {} has been removed", key, *before);
+    return fmt::format("{} was {} and is {}", key, *before, *now);
+}
 
 constexpr std::string_view magic = "sherd checkpoint 4\n";
 
@@ -42,6 +84,32 @@ Checkpoint read_checkpoint(const std::filesystem::path& file) {
 }
 
 }  // namespace
+
+RunOrigin run_origin(const Runner& runner) {
+    const Scene& scene = runner.scene();
+    RunOrigin origin;
+    origin.program = fmt::format("sherd {} ({:016x})", SHERD_VERSION, checksum_of(program_file()));
+    origin.settings = scene.settings;
+    for (const char* key : free_keys) origin.settings.erase(key);
+    const std::filesystem::path folder = std::filesystem::absolute(scene.file).parent_path();
+    for (const std::filesystem::path& file : input_files(scene))
+        origin.meshes[std::filesystem::proximate(file, folder).string()] = checksum_of(file);
+    origin.start = checksum_of_start(runner);
+    return origin;
+}
+
+std::string differences(const RunOrigin& before, const RunOrigin& now) {
+    std::string text = differences(before.settings, now.settings, setting_words);
+    text += differences(before.meshes, now.meshes,
+                        [](const std::string& file, const std::uint64_t*, const std::uint64_t*) {
+                            return fmt::format("the mesh '{}' has changed", file);
+                        });
+    if (before.program != now.program)
+        text += fmt::format("the program was {} and is {}\n", before.program, now.program);
+    if (text.empty() && before.start != now.start)
+        text = "an input of the scene, such as a texture, a grid or a list of edges, has changed\n";
+    return text;
+}
 
 std::array<std::filesystem::path, 2> checkpoint_files(const std::filesystem::path& recording) {
     return {recording.string() + ".checkpoint-1", recording.string() + ".checkpoint-2"};

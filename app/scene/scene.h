@@ -16,13 +16,11 @@
 #include "app/scene/mesh_spec.h"
 #include "app/scene/obstacle_spec.h"
 #include "app/scene/scene_choice.h"
-#include "app/scene/score.h"
 #include "app/scene/strength_map.h"
-#include "app/scene/thickness_map.h"
 #include "core/forces/wind.h"
 #include "core/material/material.h"
 #include "core/shell/face_fields.h"
-#include "fracture/art_direction.h"
+#include "fracture/sheet_input.h"
 #include "fracture/simulation.h"
 
 namespace sherd {

@@ -8,7 +8,7 @@
 #include "app/files/program_file.h"
 #include "app/json/json.h"
 #include "app/process/child_run.h"
-#include "app/sweep/study_column_names.h"
+#include "app/sweep/study_measures.h"
 #include "meshops/error.h"
 
 namespace sherd {

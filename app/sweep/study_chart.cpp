@@ -8,8 +8,8 @@
 #include <map>
 #include <set>
 
-#include "app/chart/palette.h"
-#include "app/messages/number.h"
+#include "app/chart/chart.h"
+#include "app/messages/number_list.h"
 #include "app/sweep/bootstrap.h"
 #include "meshops/error.h"
 

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
 
 #include "app/messages/nearest_name.h"
 
@@ -12,6 +14,11 @@ namespace sherd {
 namespace {
 
 using Number = std::optional<double>;
+
+/// Columns of every table, apart from those of the study.
+constexpr std::array<std::string_view, 11> fixed_columns{
+    "row",     "seed",       "exit",       "wall_seconds", "cpu_seconds", "message",
+    "command", "scene_hash", "files_hash", "program_hash", "recording"};
 
 constexpr std::string_view peak_force = "peak_force.", peak_time = "peak_force_time.";
 
@@ -79,6 +86,11 @@ std::string support_of(const std::string& measure) {
 }
 
 }  // namespace
+
+bool is_study_column(std::string_view name) {
+    return std::ranges::find(fixed_columns, name) != fixed_columns.end() ||
+           measure_error(std::string(name)).empty();
+}
 
 const std::vector<StudyMeasure>& study_measures() {
     using F = const MeasuredFragment&;

@@ -6,11 +6,15 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/measures/measures.h"
 
 namespace sherd {
+
+/// Whether tables have a column of this name, apart from parameters and keys of Python files.
+bool is_study_column(std::string_view name);
 
 /// A number of a run, by the name that it has in studies and in their tables.
 struct StudyMeasure {

@@ -10,7 +10,7 @@
 
 #include "app/files/checksum.h"
 #include "app/files/program_file.h"
-#include "app/messages/number.h"
+#include "app/messages/number_list.h"
 #include "app/messages/shell_quoting.h"
 #include "app/scene/build/built_scene.h"
 #include "app/scene/build/supports.h"

@@ -8,7 +8,7 @@
 
 #include "app/files/checksum.h"
 #include "app/messages/nearest_name.h"
-#include "app/messages/number.h"
+#include "app/messages/number_list.h"
 #include "app/recording/hdf5_file.h"
 #include "app/sweep/row_run.h"
 #include "app/sweep/study_measures.h"

@@ -1,9 +1,65 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/batches/padded.h"
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "core/lanes.h"
+#include "core/vector.h"
 
 namespace sherd {
+
+/// A point or a force in space, padded by an unused fourth number so that it is read at once.
+struct alignas(sizeof(Lanes)) Padded {
+    Lanes coordinates;
+};
+using PaddedPositions = std::vector<Padded>;
+
+/// Vectors, one of each of four elements.
+using LanesVector = Eigen::Matrix<Lanes, 3, 1>;
+/// Indices, one of each of four elements, in a row.
+using LaneIndices = std::array<Index, Lanes::count>;
+
+/// The vectors of four vertices.
+inline LanesVector gather(const PaddedPositions& all, const LaneIndices& vertices) {
+    Lanes a = all[vertices[0]].coordinates, b = all[vertices[1]].coordinates,
+          c = all[vertices[2]].coordinates, d = all[vertices[3]].coordinates;
+    transpose(a, b, c, d);
+    return {a, b, c};
+}
+
+/// Writes four vectors to the places from `first` on.
+inline void scatter(const LanesVector& vectors, Padded* first) {
+    Lanes a = vectors[0], b = vectors[1], c = vectors[2], d = 0;
+    transpose(a, b, c, d);
+    first[0].coordinates = a;
+    first[1].coordinates = b;
+    first[2].coordinates = c;
+    first[3].coordinates = d;
+}
+
+inline Lanes gather(const std::vector<double>& all, const LaneIndices& at) {
+    return Lanes::Vector{all[at[0]], all[at[1]], all[at[2]], all[at[3]]};
+}
+
+inline void scatter(const Lanes& values, const LaneIndices& at, std::vector<double>& all) {
+    for (int lane = 0; lane < Lanes::count; ++lane) all[at[lane]] = values[lane];
+}
+
+/// Number of batches of four for a number of elements.
+constexpr Index batches_of(std::size_t elements) {
+    return static_cast<Index>((elements + Lanes::count - 1) / Lanes::count);
+}
+
+/// Number of elements in batch b, of `elements` in all.
+constexpr int present_in(Index b, std::size_t elements) {
+    return std::min<int>(Lanes::count, static_cast<int>(elements) - b * Lanes::count);
+}
+/// The element of a lane; the last element is repeated in the lanes that are left over.
+constexpr Index element_of(Index b, int lane, std::size_t elements) {
+    return std::min(b * Lanes::count + lane, static_cast<Index>(elements) - 1);
+}
 
 /// Contributions of elements to their corners, each in a place of its own, so that many are computed at a
 /// time, and their sum at each vertex, always in the order of places.

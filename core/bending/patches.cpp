@@ -7,8 +7,6 @@
 #include <numbers>
 #include <numeric>
 
-#include "core/bending/share_bound.h"
-
 namespace sherd {
 namespace {
 

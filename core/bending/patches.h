@@ -12,6 +12,10 @@
 
 namespace sherd {
 
+/// Bound on the curvature, 1/m, along a side of this length (m) that SideCurvature finds where no fold is
+/// turned by more than `angle` (rad): most sheets are so flat that this bound suffices.
+double most_side_curvature(double length, double angle);
+
 /// The triangles around a side, unfolded into a plane, and the weights by which the angles of their folds
 /// give the sheet's curvature there. A patch has the triangles on either side, and those around them where
 /// these alone hardly distinguish curvatures. The weights depend on the rest shape and on which hinges are

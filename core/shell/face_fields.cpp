@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/shell/face_fields.h"
 
-#include "core/elements/lane_columns.h"
+#include "core/elements/hinge_angles.h"
 #include "core/elements/membrane_stress.h"
 #include "core/elements/principal_values.h"
 #include "core/shell/thickness.h"

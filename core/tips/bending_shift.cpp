@@ -6,11 +6,54 @@
 #include <functional>
 #include <limits>
 
+#include "core/material/orthotropy.h"
 #include "core/shell/thickness.h"
+#include "core/tips/crack_tip.h"
 #include "core/tips/fold_changes.h"
 
 namespace sherd {
 namespace {
+
+Index number_in(const std::vector<Index>& sorted, Index value) {
+    return static_cast<Index>(std::ranges::lower_bound(sorted, value) - sorted.begin());
+}
+
+/// The sides that a fold joins; a mirror has one.
+std::vector<TriangleEdge> sides_of(const CoupledBending& bending, Index fold) {
+    const Folds& folds = bending.all_folds();
+    if (fold < folds.folds_of_edges()) return {folds.mirror_side(fold)};
+    const auto sides = bending.face_curvature().around().sides_of(fold - folds.folds_of_edges());
+    return sides ? std::vector<TriangleEdge>(sides->begin(), sides->end()) : std::vector<TriangleEdge>();
+}
+
+void add_faces(const Shell& shell, ShellPart& part) {
+    for (const Index face : part.faces)
+        for (const Index vertex : shell.triangles[face].vertices) part.vertices.push_back(vertex);
+    make_unique(part.vertices);
+    resize_vertices(part.shell, static_cast<Index>(part.vertices.size()));
+    part.shell.rest = shell.rest(Eigen::all, part.vertices);
+    part.shell.thickness = shell.thickness(part.vertices);
+    part.shell.uneven = shell.uneven;
+    for (const Index face : part.faces) {
+        part.shell.triangles.push_back(shell.triangles[face]);
+        for (Index& vertex : part.shell.triangles.back().vertices) vertex = number_in(part.vertices, vertex);
+    }
+}
+
+void add_fold(const Shell& shell, const CoupledBending& bending, Index fold, ShellPart& part) {
+    const Index of_edges = bending.all_folds().folds_of_edges();
+    if (fold < of_edges) {
+        auto [face, corner] = bending.all_folds().mirror_side(fold);
+        // The only condition on the plane is that it contains the side.
+        part.mirrors.push_back(clamp_hinge(part.shell, {number_in(part.faces, face), corner}, 0));
+        return;
+    }
+    HingeStencil hinge = shell.hinges[shell.edge_hinge[fold - of_edges]];
+    for (Index& vertex : hinge.vertices) vertex = number_in(part.vertices, vertex);
+    part.shell.edge_hinge.push_back(static_cast<Index>(part.shell.hinges.size()));
+    part.shell.hinge_edge.push_back(part.shell.edge_hinge.back());
+    part.shell.hinges.push_back(hinge);
+}
 
 /// Step of the differences over the square root of the smallest face's area: errors of differencing and of
 /// round-off are both far below those of the mesh.
@@ -65,6 +108,45 @@ Positions advanced(const ShellPart& part, const TipShift& shift, int axis, doubl
 }
 
 }  // namespace
+
+ShellPart shell_part(const Shell& shell, const CoupledBending& bending, std::span<const Index> folds) {
+    ShellPart part;
+    part.folds.assign(folds.begin(), folds.end());
+    make_unique(part.folds);
+    for (const Index fold : part.folds)
+        for (const TriangleEdge& side : sides_of(bending, fold)) part.faces.push_back(side.triangle);
+    make_unique(part.faces);
+    add_faces(shell, part);
+    for (const Index fold : part.folds) add_fold(shell, bending, fold, part);
+    return part;
+}
+
+void move_rest(ShellPart& part, const Positions& rest) {
+    for (auto& [vertices, membrane] : part.shell.triangles) {
+        const TrianglePositions before = columns(part.shell.rest, vertices), after = columns(rest, vertices);
+        // Angle by which the side on the frame's first axis turns against the material.
+        const Eigen::Matrix<double, 3, 2> axes = frame_axes(before);
+        const Vector3d side = after.col(1) - after.col(0);
+        const double turn = std::atan2(axes.col(1).dot(side), axes.col(0).dot(side));
+        membrane = membrane_triangle(after, turned_elasticity(membrane.elasticity, -turn));
+    }
+    part.shell.rest = rest;
+}
+
+Index TipShift::find(Index vertex) const {
+    const auto at = std::ranges::lower_bound(vertices, vertex);
+    return at == vertices.end() || *at != vertex ? -1 : static_cast<Index>(at - vertices.begin());
+}
+
+TipShift tip_shift(const Shell& shell, const VertexFaces& around, const CrackTip& tip, int rings) {
+    TipShift shift{tip.vertex, {}, {}};
+    for (int ring = 0; ring <= rings && ring < static_cast<int>(tip.rings.size()); ++ring)
+        shift.vertices.insert(shift.vertices.end(), tip.rings[ring].begin(), tip.rings[ring].end());
+    std::ranges::sort(shift.vertices);
+    for (const Index vertex : shift.vertices)
+        shift.by.emplace_back(smallest_turn(tip.normal, rest_normal(shell, around, vertex)) * tip.axes());
+    return shift;
+}
 
 BendingShift::BendingShift(const Shell& shell, const VertexFaces& around, const CoupledBending& bending,
                            TipShift moving)

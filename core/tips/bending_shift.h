@@ -4,10 +4,44 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "core/tips/shell_part.h"
-#include "core/tips/tip_shift.h"
+#include "core/bending/coupled_bending.h"
+#include "core/tips/crack_tip.h"
 
 namespace sherd {
+
+/// Some faces of a shell as a shell of their own, with the data that coupled hinges need: corners,
+/// elasticity, and folds that join two of the faces.
+struct ShellPart {
+    Shell shell;
+    std::vector<MirrorHinge> mirrors;
+    std::vector<Index> vertices;  ///< [V] numbers in the whole shell, ascending
+    std::vector<Index> faces;     ///< [F] numbers in the whole shell, ascending
+    std::vector<Index> folds;     ///< [mirrors + E] numbers in the whole shell, mirrors first
+};
+
+/// The part that has these folds, and all faces on either side of them.
+ShellPart shell_part(const Shell& shell, const CoupledBending& bending, std::span<const Index> folds);
+
+/// Sets the rest positions of the part, [3, V] m: areas and frames follow, and each face's elasticity keeps
+/// its direction in the sheet.
+void move_rest(ShellPart& part, const Positions& rest);
+
+/// Virtual advance of a crack in the rest shape: the tip and its first rings move, each vertex in its own
+/// tangent plane, the same way. The field of advance is 1 there, 0 outside, and linear in the faces between.
+struct TipShift {
+    Index tip;
+    std::vector<Index> vertices;  ///< by ascending number
+    /// [vertices] displacement for each metre of advance: a column for the tip's direction, and one to its
+    /// left.
+    std::vector<Eigen::Matrix<double, 3, 2>> by;
+
+    /// The number of a vertex in the list, -1 if it stays.
+    Index find(Index vertex) const;
+};
+
+/// Virtual advance of the tip with its first `rings` rings, at most those that it has. The tip's axes are
+/// turned into the tangent plane of each vertex by the smallest rotation.
+TipShift tip_shift(const Shell& shell, const VertexFaces& around, const CrackTip& tip, int rings);
 
 /// Dependence of the energy of coupled hinges, 1/2 dtheta^T S dtheta, on the rest positions of a crack's tip
 /// and its rings: through S, and through the angles at rest and now, since the vertices take their

@@ -6,7 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
-#include "core/bending/share_bound.h"
+#include "core/bending/patches.h"
 #include "core/forces/shell_energies.h"
 #include "core/membrane/membrane.h"
 #include "core/membrane/membrane_energy.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/files/texels.h"
+#include "app/files/image.h"
 
 namespace sherd {
 namespace {

@@ -4,26 +4,113 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
-#include "app/scene/build/body_start.h"
 #include "app/scene/build/contact_pairs.h"
 #include "app/scene/build/gauges.h"
-#include "app/scene/build/loads.h"
 #include "app/scene/build/obstacle_start.h"
 #include "app/scene/build/obstacles.h"
 #include "app/scene/build/score.h"
+#include "app/scene/build/selection.h"
 #include "app/scene/build/sheet.h"
 #include "app/scene/build/sheet_separation.h"
 #include "app/scene/build/supports.h"
 #include "app/scene/build/thickness.h"
 #include "app/scene/build/winds.h"
 #include "app/scene/build/yield_message.h"
+#include "app/scene/scene.h"
+#include "core/contact/colliders/obstacle.h"
+#include "core/contact/colliders/rigid_body.h"
 #include "core/time/stability.h"
+#include "fracture/simulation.h"
 #include "meshops/error.h"
 
 namespace sherd {
 namespace {
+
+std::vector<Index> numbers_of(const std::vector<char>& selected) {
+    std::vector<Index> numbers;
+    for (Index v = 0; v < static_cast<Index>(selected.size()); ++v)
+        if (selected[v]) numbers.push_back(v);
+    return numbers;
+}
+
+std::vector<Index> selected_triangles(const Shell& mechanics, const std::vector<char>& selected) {
+    std::vector<Index> triangles;
+    for (Index t = 0; t < static_cast<Index>(mechanics.triangles.size()); ++t) {
+        const std::array<Index, 3>& v = mechanics.triangles[t].vertices;
+        if (selected[v[0]] && selected[v[1]] && selected[v[2]]) triangles.push_back(t);
+    }
+    return triangles;
+}
+
+/// Adds the scene's loads to the options. `mechanics` has all inputs. Throws Error, naming the scene's line
+/// and key, on a load that acts on nothing.
+void add_loads(const Scene& scene, const std::vector<SheetInput>& inputs, const Shell& mechanics,
+               SimulationOptions& options) {
+    for (const LoadSpec& spec : scene.loads) {
+        const std::vector<char> selected = selected_vertices(spec.on, spec.sheet, scene, inputs);
+        Load load;
+        load.ramp = spec.ramp;
+        if (spec.kind == "point")
+            load.dead = point_forces(mechanics, numbers_of(selected), spec.force);
+        else if (spec.kind == "line")
+            load.dead = line_forces(mechanics, boundary_triangle_edges(mechanics, selected), spec.force);
+        else if (spec.kind == "area")
+            load.spread = area_forces(mechanics, selected_triangles(mechanics, selected), spec.force);
+        else if (spec.kind == "moment")
+            load.moments = edge_moments(mechanics, boundary_triangle_edges(mechanics, selected), spec.moment);
+        else
+            load.pressed = selected_triangles(mechanics, selected);
+        load.pressure = spec.pressure;
+        if (load.dead.empty() && load.spread.empty() && load.pressed.empty() && load.moments.empty())
+            throw Error(fmt::format(
+                "{}: acts on nothing: {} must be in its box, boundary or group", spec.where,
+                spec.kind == "point"                           ? "a vertex"
+                : spec.kind == "line" || spec.kind == "moment" ? "both ends of an edge of the boundary"
+                                                               : "all vertices of a face"));
+        options.stepper.shell.loads.push_back(load);
+    }
+}
+
+constexpr double placement_rounding =
+    1e-6;  // share of a body's size: less is round-off, as in placing on a plane
+
+/// Depth, m, of the deepest of the body's contact points in a shape; negative if none is inside.
+double depth(const RigidBody& body, const Shape& shape, const Eigen::Isometry3d& there) {
+    double deepest = -1;
+    for (const Vector3d& foot : body.contact_points)
+        deepest = std::max(deepest, overlap(shape, there, body.pose() * foot, body.contact_radius).depth);
+    const double size = body.shape->bounds().diagonal().norm();
+    return deepest > placement_rounding * size ? deepest : -1;
+}
+
+std::string message(const ObstacleSpec& body, const ObstacleSpec& other, double depth) {
+    return fmt::format("{}: starts {:.3g} m inside obstacle.{}: move one of them by that much", body.where,
+                       depth, other.name);
+}
+
+/// Throws Error, with the scene's lines and keys, if a free body starts inside an obstacle or another body,
+/// whose contact springs would fling it out. The obstacles and bodies are those of the scene, in its order.
+void require_free_bodies(const Scene& scene, const std::vector<Obstacle>& obstacles,
+                         const std::vector<RigidBody>& bodies) {
+    std::vector<std::string> mistakes;
+    const auto check_pair = [&](const ObstacleSpec& body, const ObstacleSpec& other, double deep) {
+        if (deep > 0) mistakes.push_back(message(body, other, deep));
+    };
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        for (std::size_t o = 0; o < obstacles.size(); ++o)
+            check_pair(scene.bodies[b], scene.obstacles[o],
+                       depth(bodies[b], *obstacles[o].shape, obstacles[o].motion.at(0)));
+        for (std::size_t c = 0; c < b; ++c)
+            check_pair(scene.bodies[b], scene.bodies[c],
+                       std::max(depth(bodies[b], *bodies[c].shape, bodies[c].pose()),
+                                depth(bodies[c], *bodies[b].shape, bodies[b].pose())));
+    }
+    if (!mistakes.empty()) throw Error(fmt::format("{}", fmt::join(mistakes, "\n")));
+}
 
 void require_stability(const Scene& scene, const std::vector<SheetInput>& inputs, const BreakableShell& all) {
     const auto stable = [&](const BreakableShell& sheets) {

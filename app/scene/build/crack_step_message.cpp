@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "app/scene/build/round_step.h"
 #include "fracture/resolving_step.h"
 
 namespace sherd {

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "app/files/texels.h"
-#include "app/scene/build/texture.h"
+#include "app/files/image.h"
+#include "app/messages/place_text.h"
 #include "meshops/attributes.h"
 #include "meshops/error.h"
 #include "meshops/float_grid.h"
@@ -115,6 +115,18 @@ std::vector<double> at_edges(const MapProperty& map, const SheetSpec& sheet, con
 }
 
 }  // namespace
+
+Mesh::Property_map<Face, FaceTexture> texture_coordinates(const Mesh& mesh) {
+    const auto [texture, exists] = find_property(mesh, attribute::texture);
+    if (!exists) throw Error("the mesh has no texture coordinates: give an OBJ file with vt lines");
+    for (const Face face : mesh.faces())
+        for (const Eigen::Vector2d& corner : texture[face])
+            if (!corner.allFinite())
+                throw Error(
+                    fmt::format("the texture coordinates of {} are NaN or infinite: unwrap the mesh again",
+                                face_text(mesh, face)));
+    return texture;
+}
 
 std::vector<double> vertex_values(const MapSource& source, const SheetSpec& sheet, const Mesh& placed,
                                   std::vector<std::string>& warnings) {

@@ -10,6 +10,10 @@
 
 namespace sherd {
 
+/// Returns the texture coordinates of the faces' corners. Throws Error if the mesh has none, or some are not
+/// finite.
+Mesh::Property_map<Face, FaceTexture> texture_coordinates(const Mesh& mesh);
+
 /// The values of a map at the vertices of a sheet [V], or at the middles of its edges [E]. placed: the
 /// sheet's mesh where the scene places it. Along a seam of a texture the value is the mean over the faces
 /// there; a property has the mean of both ends in the middle of an edge. Throws Error on a file that is

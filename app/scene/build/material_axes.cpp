@@ -9,7 +9,7 @@
 
 #include "app/messages/place_text.h"
 #include "app/scene/build/axis_texture.h"
-#include "app/scene/build/texture.h"
+#include "app/scene/build/map_values.h"
 #include "meshops/attributes.h"
 #include "meshops/error.h"
 #include "meshops/mesh_measures.h"

@@ -13,7 +13,6 @@
 #include "core/contact/sheets/sheet_contact.h"
 #include "fracture/start_overlaps.h"
 #include "meshops/error.h"
-#include "meshops/face_with.h"
 #include "meshops/mesh_measures.h"
 #include "meshops/surface_crossings.h"
 

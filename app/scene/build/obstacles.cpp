@@ -7,15 +7,28 @@
 #include <algorithm>
 
 #include "app/scene/build/deforming_mesh.h"
-#include "app/scene/build/grid_shape.h"
 #include "app/scene/build/mesh.h"
 #include "app/scene/build/obstacle_facets.h"
+#include "core/contact/geometry/shape.h"
 #include "meshops/error.h"
 #include "meshops/mesh_measures.h"
+#include "meshops/signed_distance_grid.h"
 #include "meshops/solid_moments.h"
 
 namespace sherd {
 namespace {
+
+/// A shape that is given by signed distances on a grid.
+struct GridShape : Shape {
+    SignedDistanceGrid grid;
+
+    explicit GridShape(SignedDistanceGrid grid) : grid(std::move(grid)) {}
+    SurfaceDistance distance(const Vector3d& at) const override {
+        const SignedDistanceGrid::Sample sample = grid.sample(at);
+        return {sample.distance, sample.gradient, sample.hessian};
+    }
+    Eigen::AlignedBox3d bounds() const override { return {grid.lower(), grid.upper()}; }
+};
 
 constexpr double voxels_along = 100;  // voxels along a mesh's diagonal: half a million or less in all
 /// Least share of its bounding box that a solid fills: less is a flat mesh, or round-off.

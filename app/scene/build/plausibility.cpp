@@ -7,11 +7,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/scene/build/crack_step_message.h"
 #include "app/scene/build/deforming_mesh.h"
 #include "app/scene/build/reach.h"
-#include "app/scene/build/round_step.h"
 #include "app/scene/build/thickness.h"
-#include "core/bending/share_bound.h"
+#include "core/bending/patches.h"
 #include "core/shell/position_spacing.h"
 #include "meshops/mesh_measures.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/scene/scene.h"
-#include "app/scene/score.h"
+#include "app/scene/strength_map.h"
 #include "fracture/breakable_shell.h"
 #include "meshops/mesh.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/scene/keys/key.h"
-#include "app/scene/map_source.h"
+#include "app/scene/strength_map.h"
 
 namespace sherd {
 

@@ -8,6 +8,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "app/messages/nearest_name.h"
 #include "app/scene/keys/key.h"
@@ -15,19 +18,62 @@
 #include "app/scene/read/forces.h"
 #include "app/scene/read/gauges.h"
 #include "app/scene/read/obstacle.h"
-#include "app/scene/read/plain_name.h"
 #include "app/scene/read/sheet.h"
 #include "app/scene/read/sheet_name.h"
 #include "app/scene/read/solver.h"
 #include "app/scene/read/statics.h"
-#include "app/scene/read/variants.h"
 #include "app/scene/toml/override.h"
 #include "app/scene/toml/settings.h"
 #include "app/scene/toml/toml_file.h"
+#include "app/scene/toml/toml_table.h"
 #include "meshops/error.h"
 
 namespace sherd {
 namespace {
+
+constexpr std::string_view name_characters =
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
+
+/// Reads the key `name` of a table that describes a `thing`, "variant". The name consists of letters, digits,
+/// _ and -, and differs from those in `earlier`. reason: for messages, "names a group of the recording".
+std::string read_plain_name(TomlTable& table, std::string_view thing, std::string_view reason,
+                            const std::vector<std::string>& earlier) {
+    std::string name = table.string("name", fmt::format("the name of the {}", thing));
+    if (name.find_first_not_of(name_characters) != std::string::npos || name.starts_with('-'))
+        table.report("name", fmt::format("{}: write it in letters, digits, _ and -", reason));
+    if (std::find(earlier.begin(), earlier.end(), name) != earlier.end() && !name.empty())
+        table.report("name", fmt::format("\"{}\" is the name of another {} already", name, thing));
+    return name;
+}
+
+/// Returns the names of the `[[variant]]`s of a scene, in the order of the file. A missing name, one that
+/// cannot be part of a file's name, or one that another variant has, is a problem.
+std::vector<std::string> read_variant_names(TomlTable& root) {
+    std::vector<std::string> names;
+    for (TomlTable& variant : root.tables("variant")) {
+        const std::string name =
+            read_plain_name(variant, "variant", "becomes a part of a file's name", names);
+        names.push_back(name);
+    }
+    return names;
+}
+
+/// Removes the variants from `scene`, and replaces its keys by those of the variant `name`, if there is one.
+/// Tables are merged; everything else, inline tables and arrays too, is replaced.
+void apply_variant(toml::table& scene, const std::string& name) {
+    const toml::node_view<toml::node> variants = scene["variant"];
+    std::vector<toml::table*> candidates;
+    if (toml::table* only = variants.as_table()) candidates.push_back(only);
+    if (toml::array* array = variants.as_array())
+        for (toml::node& node : *array)
+            if (toml::table* table = node.as_table()) candidates.push_back(table);
+    toml::table changes;
+    for (toml::table* candidate : candidates)
+        if ((*candidate)["name"].value_or(std::string()) == name) changes = std::move(*candidate);
+    changes.erase("name");
+    scene.erase("variant");
+    merge_keys(scene, std::move(changes));
+}
 
 constexpr double most_steps = 1e9;  // would take decades: most likely a mistyped step
 

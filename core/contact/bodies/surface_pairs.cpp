@@ -120,6 +120,31 @@ bool any_cuts(const Positions& all, const std::vector<std::array<Index, 2>>& edg
 
 }  // namespace
 
+OtherSurface::OtherSurface(const Collider& collider) : of(collider.surface) {
+    for (const auto& point : of->points.colwise()) around.include({point, point});
+}
+
+OtherSurface::OtherSurface(const Obstacle& obstacle) : OtherSurface(static_cast<const Collider&>(obstacle)) {
+    deformation = obstacle.deformation;
+    if (deforms()) before = now = of->points;
+}
+
+void OtherSurface::move_to(double time) {
+    if (!deforms()) return;
+    before = std::exchange(now, deformation->at(time));
+    around = {};
+    for (const Positions* shape : {&before, &now})
+        for (const auto& point : shape->colwise()) around.include({point, point});
+}
+
+Positions OtherSurface::displacement_to(double time) const {
+    return deforms() ? Positions(deformation->at(time) - now) : Positions(3, 0);
+}
+
+double OtherSurface::largest_displacement() const {
+    return deforms() ? std::sqrt((now - before).colwise().squaredNorm().maxCoeff()) : 0;
+}
+
 SurfacePairs::SurfacePairs(std::size_t body, const RigidBody& one, std::shared_ptr<const Shell> of_one,
                            std::size_t other, const Collider& two, OtherSurface surface,
                            std::array<bool, 2> found_corners, bool are_springs)

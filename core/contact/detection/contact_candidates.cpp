@@ -8,6 +8,29 @@
 namespace sherd {
 namespace {
 
+// Relative errors of any distance: a bound, and the larger value that is allowed for, so that positions may
+// grow.
+constexpr double rounding_at_least = 1e-14, rounding = 1e-12;
+
+Positions less_mean(const Positions& motion) {
+    const Vector3d mean = motion.rowwise().mean();  // evaluated once, not for every column
+    return motion.colwise() - mean;
+}
+
+template <std::size_t N>
+BoxTree tree(const std::vector<std::array<Index, N>>& elements, Index from, Index to, Index first_vertex,
+             const std::vector<Box>& of_vertices, BoxTree::Division& known) {
+    std::vector<Box> boxes(to - from);
+    for (Index i = from; i < to; ++i)
+        for (const Index vertex : elements[i]) boxes[i - from].include(of_vertices[vertex - first_vertex]);
+    return BoxTree(boxes, known);
+}
+
+Box box_around(const Positions& from, const Positions& to) {
+    return {from.rowwise().minCoeff().cwiseMin(to.rowwise().minCoeff()),
+            from.rowwise().maxCoeff().cwiseMax(to.rowwise().maxCoeff())};
+}
+
 /// Number of pairs with overlapping boxes whose distances all threads compute at once.
 constexpr std::size_t at_once = 1 << 15;
 
@@ -107,6 +130,63 @@ void follow_on_sheets(const ShellChange& change, Index collider_vertices, Positi
 }
 
 }  // namespace
+
+Neighbourhood::Neighbourhood(const Positions& x, const Positions& motion, double margin, Index colliders)
+    : start(x),
+      motion(colliders > 0 ? motion : less_mean(motion)),
+      margin(margin),
+      colliders(colliders),
+      colliders_rest(motion.leftCols(colliders).isZero(0)) {
+    round_off = rounding * ((start.cwiseAbs() + this->motion.cwiseAbs()).maxCoeff() + margin);
+}
+
+bool Neighbourhood::contains(const Positions& x, double spare) const {
+    if (x.cols() != start.cols() || rounding_at_least * x.cwiseAbs().maxCoeff() > round_off) return false;
+    const bool skip = colliders_rest && x.leftCols(colliders) == start.leftCols(colliders);
+    const Eigen::Index first = skip ? colliders : 0;
+    const Vector3d mean = colliders > 0 ? Vector3d::Zero() : Vector3d((x - start).rowwise().mean());
+    const auto moved = [&](Eigen::Index v) -> Vector3d { return x.col(v) - start.col(v) - mean; };
+    double way = 0, along = 0;
+    for (Eigen::Index v = first; v < x.cols(); ++v) {
+        way += motion.col(v).squaredNorm();
+        along += moved(v).dot(motion.col(v));
+    }
+    const double time = way > 0 ? std::clamp(along / way, 0.0, 1.0) : 0;
+    const double limit = std::max(0.0, margin - spare);
+    for (Eigen::Index v = first; v < x.cols(); ++v)
+        if (!((moved(v) - time * motion.col(v)).squaredNorm() <= limit * limit)) return false;
+    return true;
+}
+
+bool Neighbourhood::contains(const Neighbourhood& other) const {
+    return contains(other.start, other.margin) && contains(other.start + other.motion, other.margin);
+}
+
+const ColliderTrees::Trees* ColliderTrees::within_reach(const Box& reach, std::size_t collider,
+                                                        const ContactSurface& surface,
+                                                        const Neighbourhood& within) {
+    const ContactSurface::Start first = surface.collider_starts()[collider],
+                                end = surface.collider_starts()[collider + 1];
+    const Positions from = within.start.middleCols(first.vertex, end.vertex - first.vertex);
+    const Positions to = from + within.motion.middleCols(first.vertex, end.vertex - first.vertex);
+    if (from.cols() == 0 || !box_around(from, to).meets(reach)) return nullptr;
+    while (cached.size() <= collider)
+        cached.push_back({Positions(3, 0), Positions(3, 0), {BoxTree({}), BoxTree({}), BoxTree({})}, {}});
+    Cached& known = cached[collider];
+    if (known.from.cols() == from.cols() && known.from == from && known.to == to) return &known.trees;
+    std::vector<Box> boxes;
+    for (Eigen::Index v = 0; v < from.cols(); ++v)
+        boxes.push_back(
+            {from.col(v).array().min(to.col(v).array()), from.col(v).array().max(to.col(v).array())});
+    auto& [points, edges, triangles] = known.divisions;
+    known.trees = {
+        BoxTree(boxes, points),
+        tree(surface.collider_edges(), first.edge, end.edge, first.vertex, boxes, edges),
+        tree(surface.collider_triangles(), first.triangle, end.triangle, first.vertex, boxes, triangles)};
+    known.from = from;
+    known.to = to;
+    return &known.trees;
+}
 
 ContactCandidates::ContactCandidates(const ContactSurface& surface, Neighbourhood neighbourhood,
                                      CachedTrees& cached, Threads team)

@@ -4,11 +4,73 @@
 #include <optional>
 #include <vector>
 
-#include "core/contact/detection/cached_trees.h"
+#include "core/contact/detection/box_tree.h"
+#include "core/contact/detection/contact_surface.h"
 #include "core/contact/detection/pair_blocks.h"
 #include "core/state_visitor.h"
+#include "core/vector.h"
 
 namespace sherd {
+
+/// The positions within a margin, at each vertex, of some moment of a straight motion. Without colliders, a
+/// common translation of all vertices is disregarded since it changes no distance. The set is convex: if it
+/// contains the ends of a straight motion, it contains all of it.
+class Neighbourhood {
+  public:
+    Neighbourhood() = default;
+    /// x, motion: [3, V] m, the first `colliders` vertices belonging to colliders; margin: m.
+    Neighbourhood(const Positions& x, const Positions& motion, double margin, Index colliders = 0);
+
+    bool contains(const Positions& x) const { return contains(x, 0); }
+    bool contains(const Neighbourhood& other) const;
+
+    void visit_state(StateVisitor& visit) {
+        auto& [start, motion, margin, round_off, colliders, colliders_rest] = *this;
+        visit(start, motion, margin, round_off, colliders, colliders_rest);
+    }
+
+    Positions start;       ///< [3, V] m
+    Positions motion;      ///< m; without colliders, the common translation is subtracted
+    double margin = 0;     ///< m
+    double round_off = 0;  ///< m, bound on round-off, far above the actual error of any distance
+
+  private:
+    bool contains(const Positions& x, double spare) const;
+
+    Index colliders = 0;
+    bool colliders_rest = true;  ///< whether the colliders are at rest, so that their vertices need no check
+};
+
+/// Trees of bounding boxes around the elements of colliders, kept as long as a collider rests. Many colliders
+/// have far more elements than the sheets, and do not move.
+class ColliderTrees {
+  public:
+    /// The trees of one collider, in which element 0 is the first of that collider.
+    struct Trees {
+        BoxTree points, edges, triangles;
+    };
+    /// The trees around the paths of a collider's vertices on the motion of `within`, without any margin;
+    /// null where the box around all paths does not meet `reach`. Trees are valid until the next call.
+    const Trees* within_reach(const Box& reach, std::size_t collider, const ContactSurface& surface,
+                              const Neighbourhood& within);
+
+  private:
+    struct Divisions {
+        BoxTree::Division points, edges, triangles;
+    };
+    struct Cached {
+        Positions from, to;  ///< m, of the collider's vertices at the beginning and the end of the motion
+        Trees trees;
+        Divisions divisions;
+    };
+    std::vector<Cached> cached;
+};
+
+/// Trees, and divisions of trees, that a search for pairs leaves to the next one. No result depends on them.
+struct CachedTrees {
+    ColliderTrees colliders;
+    BoxTree::Division vertices, triangles, edges;  ///< divisions of the sheets' elements
+};
 
 /// Candidate pairs: elements of a surface that come near contact somewhere in a neighbourhood. Finding them
 /// is most of the cost of contact. Finding the active ones among them is cheap, since most are farther apart

@@ -6,9 +6,8 @@
 #include <stdexcept>
 
 #include "core/contact/bodies/body_potential.h"
+#include "core/contact/explicit/contact_forces.h"
 #include "core/contact/explicit/explicit_bodies.h"
-#include "core/contact/explicit/moving_collider.h"
-#include "core/contact/explicit/pair_friction.h"
 
 namespace sherd {
 namespace {

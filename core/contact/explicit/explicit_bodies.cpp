@@ -9,8 +9,7 @@
 #include "core/contact/bodies/body_step.h"
 #include "core/contact/bodies/point_contacts.h"
 #include "core/contact/colliders/contact_colliders.h"
-#include "core/contact/explicit/moving_collider.h"
-#include "core/contact/explicit/pair_friction.h"
+#include "core/contact/explicit/contact_forces.h"
 
 namespace sherd {
 

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "core/contact/explicit/moving_collider.h"
-#include "core/contact/explicit/pair_friction.h"
+#include "core/contact/explicit/contact_forces.h"
 #include "core/energy_balance.h"
 
 namespace sherd {
