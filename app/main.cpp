@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands.h"
-#include "app/program.h"
+#include "app/commands/commands.h"
+#include "app/commands/program.h"
 #include "meshops/error.h"
 
 // NOLINTNEXTLINE(bugprone-exception-escape): before errors are reported, only a lack of memory could throw.

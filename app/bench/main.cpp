@@ -10,17 +10,17 @@
 #include <memory>
 #include <optional>
 
-#include "app/bench/cost_tables.h"
-#include "app/bench/cracking_tables.h"
-#include "app/bench/fracture_tables.h"
-#include "app/bench/paper_tables.h"
-#include "app/bench/scaling_tables.h"
-#include "app/bench/shell_run.h"
-#include "app/files/pending_file.h"
+#include "app/bench/cost/cost_tables.h"
+#include "app/bench/cost/cracking_tables.h"
+#include "app/bench/cost/paper_tables.h"
+#include "app/bench/cost/scaling_tables.h"
+#include "app/bench/fracture/fracture_tables.h"
+#include "app/bench/shell/shell_run.h"
+#include "app/commands/number_check.h"
+#include "app/commands/program.h"
+#include "app/files/disk/pending_file.h"
 #include "app/json/json.h"
 #include "app/messages/print.h"
-#include "app/number_check.h"
-#include "app/program.h"
 #include "meshops/error.h"
 
 namespace sherd {

@@ -10,7 +10,7 @@
 #include <set>
 
 #include "app/files/xml_text.h"
-#include "app/render/axis_ticks.h"
+#include "app/render/legend/axis_ticks.h"
 
 namespace sherd {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "app/run/run_totals.h"
 #include "app/run/runner.h"
-#include "app/scene/build/supports.h"
+#include "app/scene/assemble/sheet/supports.h"
 #include "core/elements/principal_values.h"
 #include "meshops/error.h"
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/contact/geometry/basic_shapes.h"
-#include "fracture/simulation.h"
-#include "meshops/triangle_mesh.h"
+#include "fracture/step/simulation.h"
+#include "meshops/repair/triangle_mesh.h"
 
 int main() {
     constexpr int cells = 12;  // cells along each side, of 0.2 m

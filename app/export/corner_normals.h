@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "meshops/write_mesh.h"
+#include "meshops/read_write/write_mesh.h"
 
 namespace sherd {
 

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "app/export/export_formats.h"
-#include "app/files/pending_file.h"
+#include "app/files/disk/pending_file.h"
 
 namespace sherd {
 

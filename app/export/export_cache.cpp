@@ -10,8 +10,8 @@
 #include "app/export/export_formats.h"
 #include "app/files/point_cache.h"
 #include "app/messages/counted.h"
-#include "meshops/material_library.h"
 #include "meshops/raw_bytes.h"
+#include "meshops/read_write/material_library.h"
 
 namespace sherd {
 

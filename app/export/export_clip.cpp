@@ -5,7 +5,7 @@
 
 #include "app/export/export_sheet.h"
 #include "app/playback/frame_parents.h"
-#include "meshops/thicken.h"
+#include "meshops/solid/thicken.h"
 
 namespace sherd {
 

@@ -7,7 +7,7 @@
 #include "app/export/export_sheet.h"
 #include "app/export/fragment_motion.h"
 #include "app/json/json.h"
-#include "meshops/material_library.h"
+#include "meshops/read_write/material_library.h"
 
 namespace sherd {
 

@@ -3,8 +3,8 @@
 #include "app/export/corner_normals.h"
 #include "app/export/export_formats.h"
 #include "app/export/export_sheet.h"
-#include "meshops/material_library.h"
-#include "meshops/stl.h"
+#include "meshops/read_write/material_library.h"
+#include "meshops/read_write/stl.h"
 
 namespace sherd {
 

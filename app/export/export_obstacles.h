@@ -4,7 +4,7 @@
 #include <span>
 
 #include "app/recording/recording.h"
-#include "meshops/write_mesh.h"
+#include "meshops/read_write/write_mesh.h"
 
 namespace sherd {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "fracture/snapshot.h"
-#include "meshops/write_mesh.h"
+#include "fracture/record/snapshot.h"
+#include "meshops/read_write/write_mesh.h"
 
 namespace sherd {
 

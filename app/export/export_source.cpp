@@ -9,14 +9,14 @@
 
 #include "app/export/corner_normals.h"
 #include "app/export/export_sheet.h"
-#include "app/files/pending_file.h"
+#include "app/files/disk/pending_file.h"
 #include "app/progress/interruption.h"
 #include "app/render/render_solid.h"
-#include "fracture/snapshot.h"
-#include "meshops/body_check.h"
+#include "fracture/record/snapshot.h"
 #include "meshops/error.h"
-#include "meshops/thicken.h"
-#include "meshops/write_mesh.h"
+#include "meshops/read_write/write_mesh.h"
+#include "meshops/solid/body_check.h"
+#include "meshops/solid/thicken.h"
 
 namespace sherd {
 namespace {

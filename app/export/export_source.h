@@ -7,7 +7,7 @@
 #include "app/export/export_obstacles.h"
 #include "app/playback/playback.h"
 #include "app/recording/recording.h"
-#include "meshops/write_mesh.h"
+#include "meshops/read_write/write_mesh.h"
 
 namespace sherd {
 

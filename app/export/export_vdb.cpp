@@ -8,7 +8,7 @@
 #include "app/export/export_formats.h"
 #include "app/export/export_sheet.h"
 #include "meshops/error.h"
-#include "meshops/level_set.h"
+#include "meshops/level_set/level_set.h"
 
 namespace sherd {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <string>
 
-#include "fracture/snapshot.h"
-#include "meshops/write_mesh.h"
+#include "fracture/record/snapshot.h"
+#include "meshops/read_write/write_mesh.h"
 
 namespace sherd {
 

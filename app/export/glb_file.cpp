@@ -9,10 +9,10 @@
 #include <map>
 #include <sstream>
 
-#include "app/files/image.h"
+#include "app/files/picture/image.h"
 #include "app/render/material_look.h"
-#include "app/render/render_light.h"
 #include "app/render/render_obstacle.h"
+#include "app/render/trace/render_light.h"
 #include "meshops/error.h"
 
 namespace sherd {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/export/corner_normals.h"
-#include "meshops/write_mesh.h"
+#include "meshops/read_write/write_mesh.h"
 
 namespace sherd {
 

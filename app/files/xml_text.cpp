@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/files/xml_text.h"
 
-#include "meshops/obj_name.h"
+#include "meshops/read_write/obj_name.h"
 
 namespace sherd {
 

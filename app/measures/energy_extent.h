@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "fracture/step_report.h"
+#include "fracture/step/step_report.h"
 
 namespace sherd {
 

@@ -12,7 +12,7 @@
 #include "app/playback/playback.h"
 #include "app/recording/recording.h"
 #include "meshops/error.h"
-#include "meshops/nearest_triangle.h"
+#include "meshops/intersect/nearest_triangle.h"
 
 namespace sherd {
 namespace {

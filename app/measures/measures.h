@@ -5,15 +5,15 @@
 #include <string>
 #include <vector>
 
-#include "app/measures/crack_branching.h"
-#include "app/measures/crack_directions.h"
-#include "app/measures/crack_extent.h"
-#include "app/measures/cracks_about.h"
+#include "app/measures/cracks/crack_branching.h"
+#include "app/measures/cracks/crack_directions.h"
+#include "app/measures/cracks/crack_extent.h"
+#include "app/measures/cracks/cracks_about.h"
+#include "app/measures/cracks/tip_speeds.h"
 #include "app/measures/energy_extent.h"
-#include "app/measures/fragment_extent.h"
-#include "app/measures/fragment_info.h"
+#include "app/measures/fragments/fragment_extent.h"
+#include "app/measures/fragments/fragment_info.h"
 #include "app/measures/power_law.h"
-#include "app/measures/tip_speeds.h"
 #include "app/recording/recording.h"
 
 namespace sherd {

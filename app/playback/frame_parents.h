@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "fracture/snapshot.h"
+#include "fracture/record/snapshot.h"
 
 namespace sherd {
 

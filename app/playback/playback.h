@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/recording/recording.h"
-#include "fracture/snapshot.h"
+#include "fracture/record/snapshot.h"
 
 namespace sherd {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/disk_file.h"
+#include "app/files/disk/disk_file.h"
 #include "app/progress/progress_meter.h"
 
 namespace sherd {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/python/arrays.h"
 #include "app/python/bindings.h"
-#include "fracture/crack_mesh.h"
-#include "meshops/components.h"
-#include "meshops/triangle_mesh.h"
+#include "fracture/mesh/crack_mesh.h"
+#include "meshops/repair/triangle_mesh.h"
+#include "meshops/topology/components.h"
 
 namespace sherd::python {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "app/python/arrays.h"
 #include "app/python/bindings.h"
-#include "app/scene/build/built_scene.h"
+#include "app/scene/assemble/built_scene.h"
 #include "core/bending/bending.h"
 #include "core/forces/shell_energies.h"
 #include "meshops/error.h"

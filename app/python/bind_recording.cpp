@@ -3,7 +3,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include "app/measures/fragment_distance.h"
+#include "app/measures/fragments/fragment_distance.h"
 #include "app/measures/measures.h"
 #include "app/playback/frame_parents.h"
 #include "app/python/bindings.h"

@@ -12,8 +12,8 @@
 #include "app/python/tables.h"
 #include "app/python/without_lock.h"
 #include "app/run/obstacle_track.h"
-#include "app/scene/build/supports.h"
-#include "app/scene/read/fields.h"
+#include "app/scene/assemble/sheet/supports.h"
+#include "app/scene/read/parts/fields.h"
 #include "meshops/error.h"
 
 namespace sherd::python {

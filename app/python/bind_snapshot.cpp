@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/python/arrays.h"
 #include "app/python/bindings.h"
-#include "fracture/snapshot.h"
+#include "fracture/record/snapshot.h"
 #include "meshops/shared_values.h"
 
 namespace sherd::python {

@@ -7,8 +7,8 @@
 
 #include "app/python/without_lock.h"
 #include "app/run/checkpoint.h"
-#include "app/scene/build/built_scene.h"
-#include "app/scene/build/squeeze.h"
+#include "app/scene/assemble/built_scene.h"
+#include "app/scene/assemble/check/squeeze.h"
 #include "meshops/error.h"
 
 namespace sherd::python {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "app/files/image.h"
+#include "app/files/picture/image.h"
 #include "app/recording/hdf5_error.h"
 #include "meshops/error.h"
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/files/byte_file.h"
+#include "app/files/disk/byte_file.h"
 #include "app/recording/hdf5.h"
 
 /// HDF5 files in a ByteFile, by a virtual file driver. The ByteFile must outlive all handles of the file;

@@ -5,7 +5,7 @@
 
 #include <chrono>
 
-#include "app/files/memory_file.h"
+#include "app/files/disk/memory_file.h"
 #include "app/recording/hdf5_error.h"
 #include "meshops/error.h"
 

@@ -5,9 +5,9 @@
 #include <functional>
 #include <memory>
 
-#include "app/files/journaled_file.h"
-#include "app/files/overlaid_file.h"
-#include "app/files/pending_file.h"
+#include "app/files/disk/journaled_file.h"
+#include "app/files/disk/overlaid_file.h"
+#include "app/files/disk/pending_file.h"
 #include "app/recording/hdf5.h"
 #include "app/recording/hdf5_driver.h"
 

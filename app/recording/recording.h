@@ -10,15 +10,15 @@
 #include <utility>
 #include <vector>
 
-#include "app/files/journaled_file.h"
-#include "app/files/output_lock.h"
+#include "app/files/disk/journaled_file.h"
+#include "app/files/disk/output_lock.h"
 #include "app/recording/xdmf.h"
 #include "core/state_visitor.h"
 #include "core/vector.h"
-#include "fracture/events.h"
-#include "fracture/snapshot.h"
-#include "fracture/step_report.h"
-#include "meshops/signed_distance_grid.h"
+#include "fracture/record/events.h"
+#include "fracture/record/snapshot.h"
+#include "fracture/step/step_report.h"
+#include "meshops/level_set/signed_distance_grid.h"
 
 namespace sherd {
 

@@ -5,9 +5,9 @@
 
 #include "app/recording/hdf5.h"
 #include "app/recording/recording.h"
-#include "fracture/events.h"
-#include "fracture/snapshot.h"
-#include "fracture/step_report.h"
+#include "fracture/record/events.h"
+#include "fracture/record/snapshot.h"
+#include "fracture/step/step_report.h"
 
 /// Layout of a recording: the name and the unit of each member of a snapshot, a step report and a crack
 /// event. Writer and reader share these lists, so they cannot disagree.

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/files/pending_file.h"
+#include "app/files/disk/pending_file.h"
 #include "app/messages/build_info.h"
 #include "app/recording/hdf5.h"
 #include "app/recording/hdf5_file.h"

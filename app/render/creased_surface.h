@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "meshops/signed_distance_grid.h"
+#include "meshops/level_set/signed_distance_grid.h"
 
 namespace sherd {
 

@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 
-#include "fracture/snapshot.h"
+#include "fracture/record/snapshot.h"
 
 namespace sherd {
 

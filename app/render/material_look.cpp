@@ -7,7 +7,7 @@
 #include <sstream>
 #include <vector>
 
-#include "meshops/material_library.h"
+#include "meshops/read_write/material_library.h"
 
 namespace sherd {
 namespace {

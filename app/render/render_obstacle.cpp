@@ -2,7 +2,7 @@
 #include "app/render/render_obstacle.h"
 
 #include "app/render/creased_surface.h"
-#include "app/render/render_light.h"
+#include "app/render/trace/render_light.h"
 
 namespace sherd {
 

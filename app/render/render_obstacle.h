@@ -3,8 +3,8 @@
 
 #include <Eigen/Geometry>
 
-#include "app/render/render_scene.h"
-#include "meshops/signed_distance_grid.h"
+#include "app/render/trace/render_scene.h"
+#include "meshops/level_set/signed_distance_grid.h"
 
 namespace sherd {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "app/render/render_scene.h"
-#include "fracture/snapshot.h"
+#include "app/render/trace/render_scene.h"
+#include "fracture/record/snapshot.h"
 
 namespace sherd {
 

@@ -8,10 +8,10 @@
 #include <limits>
 
 #include "app/render/focus.h"
-#include "app/render/render_light.h"
 #include "app/render/render_obstacle.h"
 #include "app/render/render_stripes.h"
 #include "app/render/render_tip.h"
+#include "app/render/trace/render_light.h"
 #include "app/scene/read/scene.h"
 #include "meshops/error.h"
 

@@ -8,12 +8,12 @@
 
 #include "app/playback/tip_history.h"
 #include "app/recording/recording.h"
-#include "app/render/camera.h"
-#include "app/render/colour_bar.h"
-#include "app/render/render_colour.h"
-#include "app/render/render_scene.h"
+#include "app/render/legend/colour_bar.h"
+#include "app/render/legend/render_colour.h"
 #include "app/render/render_solid.h"
 #include "app/render/surface_paint.h"
+#include "app/render/trace/camera.h"
+#include "app/render/trace/render_scene.h"
 #include "app/scene/scene.h"
 
 namespace sherd {

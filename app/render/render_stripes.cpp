@@ -13,8 +13,8 @@
 #include <optional>
 #include <utility>
 
-#include "app/scene/build/material_axes.h"
-#include "app/scene/build/mesh.h"
+#include "app/scene/assemble/sheet/material_axes.h"
+#include "app/scene/assemble/sheet/mesh.h"
 #include "meshops/error.h"
 #include "meshops/mesh_measures.h"
 #include "meshops/random.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/render/render_scene.h"
+#include "app/render/trace/render_scene.h"
 
 namespace sherd {
 

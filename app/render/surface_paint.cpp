@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "app/render/render_light.h"
+#include "app/render/trace/render_light.h"
 #include "meshops/error.h"
 #include "meshops/shared_values.h"
 

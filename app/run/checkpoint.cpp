@@ -8,8 +8,8 @@
 #include <ostream>
 #include <sstream>
 
-#include "app/files/checksum.h"
-#include "app/files/pending_file.h"
+#include "app/files/disk/checksum.h"
+#include "app/files/disk/pending_file.h"
 #include "app/files/program_file.h"
 #include "app/run/obstacle_track.h"
 #include "app/run/state_archive.h"

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/output_lock.h"
+#include "app/files/disk/output_lock.h"
 #include "app/run/runner.h"
 
 namespace sherd {

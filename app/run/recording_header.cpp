@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "app/scene/build/supports.h"
+#include "app/scene/assemble/sheet/supports.h"
 
 namespace sherd {
 

@@ -3,7 +3,7 @@
 
 #include "app/recording/recording.h"
 #include "app/scene/scene.h"
-#include "fracture/simulation.h"
+#include "fracture/step/simulation.h"
 
 namespace sherd {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "fracture/simulation.h"
+#include "fracture/step/simulation.h"
 
 namespace sherd {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/run/run_observer.h"
-#include "app/scene/build/built_scene.h"
+#include "app/scene/assemble/built_scene.h"
 #include "app/scene/scene.h"
 
 namespace sherd {

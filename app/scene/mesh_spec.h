@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/vector.h"
-#include "meshops/polygon.h"
+#include "meshops/generate/polygon.h"
 #include "meshops/remesh/remesh.h"
 
 namespace sherd {

@@ -20,8 +20,8 @@
 #include "core/forces/wind.h"
 #include "core/material/material.h"
 #include "core/shell/face_fields.h"
-#include "fracture/sheet_input.h"
-#include "fracture/simulation.h"
+#include "fracture/shell/sheet_input.h"
+#include "fracture/step/simulation.h"
 
 namespace sherd {
 

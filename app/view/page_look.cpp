@@ -8,8 +8,8 @@
 
 #include "app/files/base64.h"
 #include "app/render/material_look.h"
-#include "app/render/render_light.h"
 #include "app/render/surface_paint.h"
+#include "app/render/trace/render_light.h"
 #include "meshops/error.h"
 #include "meshops/shared_values.h"
 

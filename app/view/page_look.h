@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "app/files/image.h"
-#include "fracture/snapshot.h"
+#include "app/files/picture/image.h"
+#include "fracture/record/snapshot.h"
 
 namespace sherd {
 

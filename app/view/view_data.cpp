@@ -9,7 +9,7 @@
 #include "app/files/base64.h"
 #include "app/playback/frame_parents.h"
 #include "app/playback/tip_history.h"
-#include "app/render/render_colour.h"
+#include "app/render/legend/render_colour.h"
 #include "app/render/render_solid.h"
 
 namespace sherd {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/solver/linear_solver.h"
+#include "core/solver/linear/linear_solver.h"
 #include "core/solver/potential.h"
 #include "core/vector.h"
 

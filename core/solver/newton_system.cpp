@@ -5,7 +5,7 @@
 #include <array>
 #include <utility>
 
-#include "core/solver/supernodes.h"
+#include "core/solver/linear/supernodes.h"
 
 namespace sherd {
 namespace {

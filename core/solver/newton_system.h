@@ -5,7 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "core/solver/linear_solver.h"
+#include "core/solver/linear/linear_solver.h"
 #include "core/solver/potential.h"
 #include "core/state_visitor.h"
 

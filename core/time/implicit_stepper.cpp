@@ -8,9 +8,9 @@
 #include "core/solver/newton.h"
 #include "core/solver/newton_system.h"
 #include "core/solver/quasi_newton.h"
-#include "core/time/bdf2.h"
-#include "core/time/implicit_euler.h"
-#include "core/time/statics.h"
+#include "core/time/schemes/bdf2.h"
+#include "core/time/schemes/implicit_euler.h"
+#include "core/time/schemes/statics.h"
 
 namespace sherd {
 namespace {

@@ -11,8 +11,8 @@
 #include "core/time/equilibrium_path.h"
 #include "core/time/inertia.h"
 #include "core/time/opening_edges.h"
+#include "core/time/schemes/time_scheme.h"
 #include "core/time/stepper.h"
-#include "core/time/time_scheme.h"
 
 namespace sherd {
 

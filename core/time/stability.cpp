@@ -9,10 +9,10 @@
 #include "core/bending/cubic_bending.h"
 #include "core/membrane/membrane_energy.h"
 #include "core/shell/triangle_edge.h"
-#include "core/solver/linear_solver.h"
+#include "core/solver/linear/linear_solver.h"
 #include "core/solver/potential.h"
-#include "core/time/implicit_euler.h"
 #include "core/time/inertia.h"
+#include "core/time/schemes/implicit_euler.h"
 
 namespace sherd {
 namespace {

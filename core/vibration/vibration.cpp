@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "core/shell/supports.h"
-#include "core/solver/linear_solver.h"
+#include "core/solver/linear/linear_solver.h"
 #include "core/solver/potential.h"
 #include "core/vibration/largest_eigenpairs.h"
 #include "core/vibration/rigid_motions.h"

@@ -8,8 +8,8 @@
 
 #include "meshops/disjoint_sets.h"
 #include "meshops/mesh_measures.h"
-#include "meshops/property_border.h"
 #include "meshops/remesh/shared_edges.h"
+#include "meshops/topology/property_border.h"
 
 namespace sherd {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "meshops/mesh_measures.h"
-#include "meshops/surface_point.h"
+#include "meshops/topology/surface_point.h"
 
 namespace sherd {
 

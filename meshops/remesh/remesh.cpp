@@ -11,15 +11,15 @@
 #include <string>
 #include <vector>
 
-#include "meshops/aabb_tree.h"
 #include "meshops/attributes.h"
 #include "meshops/error.h"
+#include "meshops/intersect/aabb_tree.h"
+#include "meshops/intersect/self_intersections.h"
 #include "meshops/mesh_measures.h"
-#include "meshops/property_border.h"
 #include "meshops/remesh/plain_copy.h"
 #include "meshops/remesh/remeshing.h"
 #include "meshops/remesh/transfer_properties.h"
-#include "meshops/self_intersections.h"
+#include "meshops/topology/property_border.h"
 
 namespace sherd {
 namespace {

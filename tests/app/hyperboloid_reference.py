@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Prints the reference energies of app/bench/hyperboloid_cases.cpp.
+"""Prints the reference energies of app/bench/shell/hyperboloid_cases.cpp.
 
 A shell of revolution r^2 = 1 + z^2, |z| <= 1, with free ends (E = 2.85e4, nu = 0.3, thickness t) under the pressure
 1e4 t^3 cos(2 angle) along its outward normal: Koiter's linear shell, second harmonic around, Legendre polynomials

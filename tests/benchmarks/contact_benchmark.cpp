@@ -14,7 +14,7 @@
 
 #include "app/recording/recording.h"
 #include "core/contact/sheets/sheet_contact.h"
-#include "tests/support/recorded_sheet.h"
+#include "tests/support/recording/recorded_sheet.h"
 
 namespace {
 

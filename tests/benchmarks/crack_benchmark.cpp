@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "fracture/crack_mesh.h"
-#include "meshops/generate.h"
+#include "fracture/mesh/crack_mesh.h"
+#include "meshops/generate/generate.h"
 #include "meshops/random.h"
 
 namespace {

@@ -2,7 +2,7 @@
 // frame_intersections RUN.h5...: prints a row of a table for each recording, with the numbers of
 // intersections in all its frames. Faces that intersect or touch in a point in the first frame, and their
 // neighbours, may continue to do so.
-#include "tests/support/frame_intersections.h"
+#include "tests/support/recording/frame_intersections.h"
 
 #include <fmt/format.h>
 

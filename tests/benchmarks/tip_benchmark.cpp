@@ -4,8 +4,8 @@
 
 #include "core/tips/configurational_force.h"
 #include "core/tips/stress_intensity.h"
-#include "fracture/breakable_shell.h"
-#include "meshops/generate.h"
+#include "fracture/shell/breakable_shell.h"
+#include "meshops/generate/generate.h"
 
 namespace {
 

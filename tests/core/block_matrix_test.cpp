@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/block_columns.h"
-#include "tests/support/small_sheet.h"
+#include "tests/support/shell/small_sheet.h"
 
 namespace sherd {
 namespace {

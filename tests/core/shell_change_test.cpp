@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/support/small_sheet.h"
+#include "tests/support/shell/small_sheet.h"
 
 namespace sherd {
 namespace {

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "core/time/implicit_stepper.h"
-#include "tests/support/materials.h"
-#include "tests/support/plates.h"
+#include "tests/support/shell/materials.h"
+#include "tests/support/shell/plates.h"
 
 namespace sherd {
 namespace {

@@ -2,7 +2,7 @@
 // Rows that are read, written and read again must be equal.
 #include <cstdlib>
 
-#include "app/sweep/csv.h"
+#include "app/sweep/table/csv.h"
 #include "tests/fuzz/read_input.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

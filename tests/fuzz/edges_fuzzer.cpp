@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/scene/build/edge_list.h"
-#include "meshops/read_mesh.h"
+#include "app/scene/assemble/sheet/edge_list.h"
+#include "meshops/read_write/read_mesh.h"
 #include "tests/fuzz/read_input.h"
 
 namespace {

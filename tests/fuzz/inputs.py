@@ -7,10 +7,10 @@ import zlib
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Sources whose string literals are the words of an input's dictionary.
-SOURCES = {"obj": ["meshops/parse_obj.cpp", "meshops/material_library.cpp"], "off": ["meshops/parse_off.cpp"],
-           "ply": ["meshops/parse_ply.cpp", "meshops/ply_header.cpp"], "stl": ["meshops/parse_stl.cpp"],
+SOURCES = {"obj": ["meshops/read_write/parse_obj.cpp", "meshops/read_write/material_library.cpp"], "off": ["meshops/read_write/parse_off.cpp"],
+           "ply": ["meshops/read_write/parse_ply.cpp", "meshops/read_write/ply_header.cpp"], "stl": ["meshops/read_write/parse_stl.cpp"],
            "scene": ["app/scene/read", "app/scene/toml"], "cache": ["app/files/point_cache.cpp"],
-           "study": ["app/sweep/study.cpp", "app/sweep/study.cpp", "app/sweep/study_measures.cpp"],
+           "study": ["app/sweep/study/study.cpp", "app/sweep/study/study.cpp", "app/sweep/study/study_measures.cpp"],
            "csv": [], "edges": [], "png": []}
 NUMBERS = ["0", "1", "-1", "4", "0.5", "1e999", "1e-320", "nan", "inf", "4294967295", "4294967296", "99999999999",
            "18446744073709551615", "\n", " ", "#"]

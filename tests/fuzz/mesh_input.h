@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "meshops/read_mesh.h"
+#include "meshops/read_write/read_mesh.h"
 #include "tests/fuzz/read_input.h"
 
 namespace sherd::test {

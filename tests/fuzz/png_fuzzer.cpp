@@ -3,7 +3,7 @@
 // these.
 #include <zlib.h>
 
-#include "app/files/image.h"
+#include "app/files/picture/image.h"
 #include "tests/fuzz/read_input.h"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "meshops/error.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/support/program/temporary_directory.h"
 
 namespace sherd::test {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/sweep/design.h"
-#include "app/sweep/study.h"
+#include "app/sweep/study/design.h"
+#include "app/sweep/study/study.h"
 #include "tests/fuzz/read_input.h"
 
 namespace {

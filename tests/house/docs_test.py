@@ -230,7 +230,7 @@ def first_column(text, heading):
 def faults_of_presets(top):
     """Returns a line for each table of presets in docs/scene.md that has others than the program, and one if README.md
     names other presets of the build than there are."""
-    source, page = text_of(top / "app/scene/read/material_presets.cpp"), text_of(top / "docs/scene.md")
+    source, page = text_of(top / "app/scene/read/sheet/material_presets.cpp"), text_of(top / "docs/scene.md")
     presets = re.findall(r'^ +\{"(\w+)", (.*)\},$', source, re.MULTILINE)
     brittle = {name for name, rest in presets if "brittle(" in rest or "broken_" in rest}
     found = []
@@ -271,9 +271,9 @@ class Docs(unittest.TestCase):
             "docs/index.md": "[scenes](scene.md)",
             "docs/scene.md": "### The material's axis\n\n| preset |\n| --- |\n| `glass` |\n| `steel` |\n\n"
                              "#### Materials that break\n\n| preset |\n| --- |\n| `glass` |",
-            "app/scene/read/material_presets.cpp": '    {"glass", {2500}, brittle(6e7)},\n'
+            "app/scene/read/sheet/material_presets.cpp": '    {"glass", {2500}, brittle(6e7)},\n'
                                                    '    {"steel", metal(7850)},\n',
-            "app/scene/read/material_presets.h": "",
+            "app/scene/read/sheet/material_presets.h": "",
             "app/README.md": "| room |\n| --- |\n| `scene/` |",
             "CMakePresets.json": '{"configurePresets": [{"name": "release"}, {"name": "asan"}]}',
         }
@@ -313,15 +313,15 @@ class Docs(unittest.TestCase):
         self.assert_found(self.index("[a](scene.md#one)"), "scene.md#one has no such heading")
 
     def test_paths_that_are_not_there_are_found(self):
-        self.assert_found(self.index("`app/scene/read/material_presets` `app/scene/` `app/scene/read/*.cpp`\n"
+        self.assert_found(self.index("`app/scene/read/sheet/material_presets` `app/scene/` `app/scene/read/*.cpp`\n"
                                      "`app/scene/read/NAME.h` `build/app/a.h` `a/b.sh` `frames/000000` `../README.md`\n"
-                                     "`app/scene/read/material_presets.{h,cpp}`"))
+                                     "`app/scene/read/sheet/material_presets.{h,cpp}`"))
         self.assert_found(self.index("`app/a.h`"), "docs/index.md:6: app/a.h is not there")
         self.assert_found(self.index("`run`, `and\nmore` `core/a` is"), "docs/index.md:7: core/a is not there")
-        self.assert_found(self.index("`app/scene/read/material_presets.{h,py}`"), "material_presets.py is not there")
+        self.assert_found(self.index("`app/scene/read/sheet/material_presets.{h,py}`"), "material_presets.py is not there")
         self.assert_found(self.index("`app/a.py --all`"), "app/a.py is not there")
         self.assert_found(self.index("`read/material_presets.h`"), "read/material_presets.h is not there")
-        self.assert_found({"app/README.md": "| room |\n| --- |\n| `scene/` |\n\n`scene/read/material_presets.h`"})
+        self.assert_found({"app/README.md": "| room |\n| --- |\n| `scene/` |\n\n`scene/read/sheet/material_presets.h`"})
 
     def test_pages_without_licence_or_heading_are_found(self):
         self.assert_found({"CHANGELOG.md": f"{LICENCE}\n"}, "has not one heading #")
@@ -369,7 +369,7 @@ class Docs(unittest.TestCase):
         self.assert_found({**house, "core/b/README.md": "| `d` |"}, "may include a/")
 
     def test_presets_that_differ_are_found(self):
-        source = "app/scene/read/material_presets.cpp"
+        source = "app/scene/read/sheet/material_presets.cpp"
         self.assert_found({source: '    {"glass", {2500}, brittle(6e7)},\n'}, "['steel']")
         self.assert_found({source: '    {"glass", {2500}},\n    {"steel", metal(7850)},\n'}, "['glass']")
         self.assert_found({"CMakePresets.json": '{"configurePresets": [{"name": "debug"}]}'}, "README.md: the presets")

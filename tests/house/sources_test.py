@@ -17,7 +17,7 @@ WITHOUT_CIRCLES = ("meshops", "core", "fracture", "app")
 # Folders whose files must not include each other in a circle; a header and its source count as one file.
 FILES_WITHOUT_CIRCLES = ("app/scene",)
 # Folders that must not include from others, not even indirectly.
-APART = {"app/scene/toml": ["app/scene/read", "app/scene/build"], "app/scene/read": ["app/scene/build"],
+APART = {"app/scene/toml": ["app/scene/read", "app/scene/assemble"], "app/scene/read": ["app/scene/assemble"],
          "app/recording": ["app/scene", "app/run"], "app/files": ["app/recording", "app/scene"]}
 # Calls that print. Only the folders of MAY_PRINT have them: app/messages, whose print.h makes no run fail when a stream
 # does, and the examples, which are programs of their own.
@@ -195,9 +195,9 @@ class House(unittest.TestCase):
         self.assertEqual(self.found_in(app__a='#include "app/b.h"', app__b='#include "app/a.h"'), [])
 
     def test_reading_never_reaches_building(self):
-        house = {"app__scene__build__a": "", "app__scene__read__a": "", "app__recording__a": ""}
+        house = {"app__scene__assemble__a": "", "app__scene__read__a": "", "app__recording__a": ""}
         self.assertEqual(self.found_in(**house), [])
-        house["app__scene__read__a"] = '#include "app/scene/build/a.h"'
+        house["app__scene__read__a"] = '#include "app/scene/assemble/a.h"'
         self.assertEqual(len(self.found_in(**house)), 1)
         house["app__recording__a"] = '#include "app/scene/read/a.h"'
         self.assertEqual(len(self.found_in(**house)), 3)

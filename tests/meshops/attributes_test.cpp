@@ -6,9 +6,9 @@
 
 #include <set>
 
-#include "meshops/generate.h"
-#include "meshops/split_vertex.h"
-#include "meshops/write_mesh.h"
+#include "meshops/generate/generate.h"
+#include "meshops/read_write/write_mesh.h"
+#include "meshops/topology/split_vertex.h"
 
 namespace sherd {
 namespace {

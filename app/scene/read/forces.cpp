@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "app/scene/read/selection.h"
-#include "app/scene/read/sheet_name.h"
+#include "app/scene/read/parts/selection.h"
+#include "app/scene/read/parts/sheet_name.h"
 
 namespace sherd {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "app/scene/read/fields.h"
+#include "app/scene/read/parts/fields.h"
 
 namespace sherd {
 namespace {

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/scene/read/mesh_spec.h"
-#include "app/scene/read/place.h"
+#include "app/scene/read/parts/mesh_spec.h"
+#include "app/scene/read/parts/place.h"
 
 namespace sherd {
 namespace {

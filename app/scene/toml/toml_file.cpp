@@ -10,7 +10,7 @@
 #include <system_error>
 
 #include "meshops/error.h"
-#include "meshops/text_line.h"
+#include "meshops/read_write/text_line.h"
 
 namespace sherd {
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <map>
 
-#include "tests/support/export_fixture.h"
-#include "tests/support/glb_content.h"
-#include "tests/support/program.h"
+#include "tests/support/program/program.h"
+#include "tests/support/recording/export_fixture.h"
+#include "tests/support/recording/glb_content.h"
 
 namespace sherd::test {
 namespace {

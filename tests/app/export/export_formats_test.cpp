@@ -8,9 +8,9 @@
 
 #include "app/export/export_vtp.h"
 #include "app/progress/interruption.h"
-#include "meshops/components.h"
-#include "tests/support/export_fixture.h"
-#include "tests/support/vtp_array.h"
+#include "meshops/topology/components.h"
+#include "tests/support/recording/export_fixture.h"
+#include "tests/support/recording/vtp_array.h"
 
 namespace sherd::test {
 namespace {

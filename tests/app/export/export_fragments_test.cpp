@@ -5,8 +5,8 @@
 
 #include "app/export/fragment_motion.h"
 #include "app/json/json.h"
-#include "meshops/body_check.h"
-#include "tests/support/export_fixture.h"
+#include "meshops/solid/body_check.h"
+#include "tests/support/recording/export_fixture.h"
 
 namespace sherd::test {
 namespace {

@@ -14,12 +14,12 @@
 #include "app/json/json.h"
 #include "app/playback/interpolation.h"
 #include "app/playback/playback.h"
-#include "meshops/stl.h"
-#include "tests/support/export_fixture.h"
-#include "tests/support/glb_content.h"
-#include "tests/support/program.h"
-#include "tests/support/recorded_obstacles.h"
-#include "tests/support/vtp_array.h"
+#include "meshops/read_write/stl.h"
+#include "tests/support/program/program.h"
+#include "tests/support/recording/export_fixture.h"
+#include "tests/support/recording/glb_content.h"
+#include "tests/support/recording/recorded_obstacles.h"
+#include "tests/support/recording/vtp_array.h"
 
 namespace sherd::test {
 namespace {

@@ -7,9 +7,9 @@
 #include <map>
 
 #include "app/recording/hdf5.h"
-#include "meshops/components.h"
-#include "tests/support/edited_file.h"
-#include "tests/support/export_fixture.h"
+#include "meshops/topology/components.h"
+#include "tests/support/program/edited_file.h"
+#include "tests/support/recording/export_fixture.h"
 
 namespace sherd::test {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "tests/support/export_fixture.h"
-#include "tests/support/program.h"
+#include "tests/support/program/program.h"
+#include "tests/support/recording/export_fixture.h"
 
 namespace sherd::test {
 namespace {

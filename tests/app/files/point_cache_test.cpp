@@ -8,9 +8,9 @@
 #include <limits>
 
 #include "meshops/error.h"
-#include "tests/support/message_thrown_by.h"
-#include "tests/support/point_caches.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/support/program/message_thrown_by.h"
+#include "tests/support/program/temporary_directory.h"
+#include "tests/support/recording/point_caches.h"
 
 namespace sherd::test {
 namespace {

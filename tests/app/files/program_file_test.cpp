@@ -6,7 +6,7 @@
 
 #include <fstream>
 
-#include "tests/support/temporary_directory.h"
+#include "tests/support/program/temporary_directory.h"
 
 namespace sherd::test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/support/system_calls.h"
+#include "tests/support/program/system_calls.h"
 
 #include <sys/stat.h>
 #include <sys/types.h>

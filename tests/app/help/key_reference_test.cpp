@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "meshops/error.h"
-#include "tests/support/message_thrown_by.h"
+#include "tests/support/program/message_thrown_by.h"
 
 namespace sherd {
 namespace {

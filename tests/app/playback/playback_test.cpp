@@ -10,9 +10,9 @@
 #include "app/playback/slow_motion.h"
 #include "core/elements/membrane.h"
 #include "meshops/error.h"
-#include "tests/support/split_run.h"
-#include "tests/support/synthetic_run.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/support/program/temporary_directory.h"
+#include "tests/support/recording/split_run.h"
+#include "tests/support/recording/synthetic_run.h"
 
 namespace sherd::test {
 namespace {

@@ -10,12 +10,12 @@
 #include <fstream>
 #include <thread>
 
-#include "app/files/output_lock.h"
+#include "app/files/disk/output_lock.h"
 #include "app/recording/recording.h"
 #include "meshops/error.h"
-#include "tests/support/falling_disc.h"
-#include "tests/support/program.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/support/program/falling_disc.h"
+#include "tests/support/program/program.h"
+#include "tests/support/program/temporary_directory.h"
 
 namespace sherd::test {
 namespace {

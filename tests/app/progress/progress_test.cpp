@@ -15,10 +15,10 @@
 #include "app/progress/progress_line.h"
 #include "app/progress/run_progress.h"
 #include "app/recording/recording.h"
-#include "tests/support/falling_disc.h"
-#include "tests/support/program.h"
-#include "tests/support/temporary_directory.h"
-#include "tests/support/terminal.h"
+#include "tests/support/program/falling_disc.h"
+#include "tests/support/program/program.h"
+#include "tests/support/program/temporary_directory.h"
+#include "tests/support/program/terminal.h"
 
 namespace sherd::test {
 namespace {

@@ -5,9 +5,9 @@
 #include <rapidcheck/gtest.h>
 
 #include "app/playback/frame_parents.h"
-#include "tests/support/advanced_run.h"
-#include "tests/support/same_snapshot.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/support/program/temporary_directory.h"
+#include "tests/support/recording/same_snapshot.h"
+#include "tests/support/shell/advanced_run.h"
 
 namespace sherd::test {
 namespace {

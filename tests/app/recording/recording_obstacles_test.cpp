@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "app/files/image.h"
+#include "app/commands/render.h"
+#include "app/files/picture/image.h"
 #include "app/recording/hdf5.h"
 #include "app/recording/hdf5_file.h"
 #include "app/recording/recording.h"
-#include "app/render.h"
 #include "app/render/render_stage.h"
 #include "meshops/error.h"
-#include "tests/support/edited_file.h"
-#include "tests/support/program.h"
-#include "tests/support/recorded_obstacles.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/support/program/edited_file.h"
+#include "tests/support/program/program.h"
+#include "tests/support/program/temporary_directory.h"
+#include "tests/support/recording/recorded_obstacles.h"
 
 namespace sherd::test {
 namespace {

@@ -5,11 +5,11 @@
 
 #include <cstdlib>
 
-#include "tests/support/advanced_run.h"
-#include "tests/support/program.h"
-#include "tests/support/recorded_obstacles.h"
-#include "tests/support/split_run.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/support/program/program.h"
+#include "tests/support/program/temporary_directory.h"
+#include "tests/support/recording/recorded_obstacles.h"
+#include "tests/support/recording/split_run.h"
+#include "tests/support/shell/advanced_run.h"
 
 namespace sherd::test {
 namespace {

@@ -7,10 +7,10 @@
 
 #include "app/recording/recording.h"
 #include "meshops/error.h"
-#include "tests/support/same_snapshot.h"
-#include "tests/support/simulated_disk.h"
-#include "tests/support/synthetic_run.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/support/program/simulated_disk.h"
+#include "tests/support/program/temporary_directory.h"
+#include "tests/support/recording/same_snapshot.h"
+#include "tests/support/recording/synthetic_run.h"
 
 namespace sherd::test {
 namespace {

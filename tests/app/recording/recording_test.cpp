@@ -13,12 +13,12 @@
 #include "app/recording/hdf5.h"
 #include "app/recording/hdf5_file.h"
 #include "meshops/error.h"
-#include "tests/support/edited_file.h"
-#include "tests/support/file_size_limit.h"
-#include "tests/support/same_report.h"
-#include "tests/support/same_snapshot.h"
-#include "tests/support/synthetic_run.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/support/program/edited_file.h"
+#include "tests/support/program/file_size_limit.h"
+#include "tests/support/program/temporary_directory.h"
+#include "tests/support/recording/same_report.h"
+#include "tests/support/recording/same_snapshot.h"
+#include "tests/support/recording/synthetic_run.h"
 
 namespace sherd::test {
 namespace {

@@ -4,14 +4,14 @@
 
 #include <cmath>
 
-#include "app/render.h"
-#include "app/render/colour_bar.h"
-#include "app/render/render_colour.h"
+#include "app/commands/render.h"
+#include "app/render/legend/colour_bar.h"
+#include "app/render/legend/render_colour.h"
+#include "app/render/legend/text.h"
 #include "app/render/render_stage.h"
-#include "app/render/text.h"
-#include "tests/support/program.h"
-#include "tests/support/synthetic_run.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/support/program/program.h"
+#include "tests/support/program/temporary_directory.h"
+#include "tests/support/recording/synthetic_run.h"
 
 namespace sherd::test {
 namespace {

@@ -8,8 +8,8 @@
 #include "app/render/focus.h"
 #include "app/render/render_stage.h"
 #include "meshops/random.h"
-#include "tests/support/synthetic_run.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/support/program/temporary_directory.h"
+#include "tests/support/recording/synthetic_run.h"
 
 namespace sherd::test {
 namespace {

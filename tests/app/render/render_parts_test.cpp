@@ -8,16 +8,16 @@
 #include <numbers>
 #include <set>
 
-#include "app/files/image.h"
-#include "app/render/camera.h"
-#include "app/render/render_colour.h"
-#include "app/render/render_picture.h"
+#include "app/files/picture/image.h"
+#include "app/render/legend/render_colour.h"
 #include "app/render/render_solid.h"
 #include "app/render/render_stripes.h"
+#include "app/render/trace/camera.h"
+#include "app/render/trace/render_picture.h"
 #include "meshops/error.h"
-#include "tests/support/message_thrown_by.h"
-#include "tests/support/synthetic_run.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/support/program/message_thrown_by.h"
+#include "tests/support/program/temporary_directory.h"
+#include "tests/support/recording/synthetic_run.h"
 
 namespace sherd::test {
 namespace {

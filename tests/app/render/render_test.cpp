@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/render.h"
+#include "app/commands/render.h"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -11,12 +11,12 @@
 #include <limits>
 #include <set>
 
-#include "app/files/image.h"
+#include "app/files/picture/image.h"
 #include "app/render/render_stage.h"
 #include "meshops/error.h"
-#include "tests/support/program.h"
-#include "tests/support/synthetic_run.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/support/program/program.h"
+#include "tests/support/program/temporary_directory.h"
+#include "tests/support/recording/synthetic_run.h"
 
 namespace sherd::test {
 namespace {

@@ -4,11 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include "app/render/render_light.h"
 #include "app/render/render_stage.h"
+#include "app/render/trace/render_light.h"
 #include "meshops/error.h"
-#include "tests/support/synthetic_run.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/support/program/temporary_directory.h"
+#include "tests/support/recording/synthetic_run.h"
 
 namespace sherd::test {
 namespace {

@@ -7,14 +7,14 @@
 
 #include <cstdio>
 
-#include "app/files/image.h"
-#include "app/render.h"
-#include "app/render/render_light.h"
+#include "app/commands/render.h"
+#include "app/files/picture/image.h"
+#include "app/render/trace/render_light.h"
 #include "meshops/error.h"
-#include "tests/support/message_thrown_by.h"
-#include "tests/support/png_file.h"
-#include "tests/support/synthetic_run.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/support/program/message_thrown_by.h"
+#include "tests/support/program/png_file.h"
+#include "tests/support/program/temporary_directory.h"
+#include "tests/support/recording/synthetic_run.h"
 
 namespace sherd::test {
 namespace {

@@ -6,10 +6,10 @@
 #include <sstream>
 
 #include "app/run/state_archive.h"
-#include "app/scene/build/built_scene.h"
+#include "app/scene/assemble/built_scene.h"
 #include "app/scene/read/scene.h"
 #include "meshops/error.h"
-#include "tests/support/same_report.h"
+#include "tests/support/recording/same_report.h"
 
 namespace sherd::test {
 namespace {

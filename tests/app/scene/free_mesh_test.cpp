@@ -2,12 +2,12 @@
 // A closed mesh with a density must become the body of its solid, and no other mesh may.
 #include <gtest/gtest.h>
 
-#include "app/scene/build/built_scene.h"
-#include "app/scene/build/obstacles.h"
+#include "app/scene/assemble/built_scene.h"
+#include "app/scene/assemble/obstacle/obstacles.h"
 #include "app/scene/read/scene.h"
-#include "tests/support/plate_and_obstacle.h"
-#include "tests/support/program.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/support/program/plate_and_obstacle.h"
+#include "tests/support/program/program.h"
+#include "tests/support/program/temporary_directory.h"
 
 namespace sherd::test {
 namespace {

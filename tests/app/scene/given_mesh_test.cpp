@@ -2,9 +2,9 @@
 // A program that gives a scene meshes as plain arrays depends on the numbers of its rows.
 #include <gtest/gtest.h>
 
-#include "app/scene/build/built_scene.h"
+#include "app/scene/assemble/built_scene.h"
 #include "app/scene/read/scene.h"
-#include "tests/support/message_thrown_by.h"
+#include "tests/support/program/message_thrown_by.h"
 
 namespace sherd::test {
 namespace {

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "core/forces/shell_energies.h"
-#include "tests/support/built_text.h"
-#include "tests/support/message_thrown_by.h"
-#include "tests/support/scene_of.h"
+#include "tests/support/program/built_text.h"
+#include "tests/support/program/message_thrown_by.h"
+#include "tests/support/program/scene_of.h"
 
 namespace sherd::test {
 namespace {

@@ -3,15 +3,15 @@
 // faults must be reported with their line.
 #include <gtest/gtest.h>
 
-#include "app/scene/build/built_scene.h"
-#include "app/scene/build/obstacles.h"
-#include "app/scene/build/plausibility.h"
+#include "app/scene/assemble/built_scene.h"
+#include "app/scene/assemble/check/plausibility.h"
+#include "app/scene/assemble/obstacle/obstacles.h"
 #include "app/scene/read/scene.h"
-#include "tests/support/message_thrown_by.h"
-#include "tests/support/plate_and_obstacle.h"
-#include "tests/support/point_caches.h"
-#include "tests/support/replaced.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/support/program/message_thrown_by.h"
+#include "tests/support/program/plate_and_obstacle.h"
+#include "tests/support/program/replaced.h"
+#include "tests/support/program/temporary_directory.h"
+#include "tests/support/recording/point_caches.h"
 
 namespace sherd::test {
 namespace {

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/scene/build/supports.h"
+#include "app/scene/assemble/sheet/supports.h"
 #include "app/scene/read/forces.h"
 #include "meshops/error.h"
-#include "tests/support/built_text.h"
-#include "tests/support/message_thrown_by.h"
+#include "tests/support/program/built_text.h"
+#include "tests/support/program/message_thrown_by.h"
 
 namespace sherd::test {
 namespace {

@@ -8,14 +8,14 @@
 #include <numbers>
 #include <set>
 
-#include "app/scene/build/built_scene.h"
-#include "app/scene/build/sheet.h"
-#include "app/scene/read/material_presets.h"
+#include "app/scene/assemble/built_scene.h"
+#include "app/scene/assemble/sheet/sheet.h"
 #include "app/scene/read/scene.h"
+#include "app/scene/read/sheet/material_presets.h"
 #include "meshops/error.h"
-#include "tests/support/message_thrown_by.h"
-#include "tests/support/scene_of.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/support/program/message_thrown_by.h"
+#include "tests/support/program/scene_of.h"
+#include "tests/support/program/temporary_directory.h"
 
 namespace sherd::test {
 namespace {

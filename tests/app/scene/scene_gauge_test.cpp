@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "meshops/error.h"
-#include "tests/support/built_text.h"
-#include "tests/support/message_thrown_by.h"
+#include "tests/support/program/built_text.h"
+#include "tests/support/program/message_thrown_by.h"
 
 namespace sherd::test {
 namespace {

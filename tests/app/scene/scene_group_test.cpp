@@ -2,8 +2,8 @@
 // Groups of a mesh file through the real program: otherwise a run holds or loads the wrong part.
 #include <gtest/gtest.h>
 
-#include "tests/support/program.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/support/program/program.h"
+#include "tests/support/program/temporary_directory.h"
 
 namespace sherd::test {
 namespace {

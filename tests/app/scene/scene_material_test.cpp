@@ -3,14 +3,14 @@
 // them would gain energy.
 #include <gtest/gtest.h>
 
-#include "app/scene/build/sheet.h"
+#include "app/scene/assemble/sheet/sheet.h"
 #include "app/scene/read/scene.h"
-#include "tests/support/message_thrown_by.h"
-#include "tests/support/ply_square.h"
-#include "tests/support/png_file.h"
-#include "tests/support/program.h"
-#include "tests/support/scene_of.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/support/mesh/ply_square.h"
+#include "tests/support/program/message_thrown_by.h"
+#include "tests/support/program/png_file.h"
+#include "tests/support/program/program.h"
+#include "tests/support/program/scene_of.h"
+#include "tests/support/program/temporary_directory.h"
 
 namespace sherd::test {
 namespace {

@@ -4,13 +4,13 @@
 
 #include <numbers>
 
-#include "app/scene/build/built_scene.h"
-#include "app/scene/build/obstacles.h"
+#include "app/scene/assemble/built_scene.h"
+#include "app/scene/assemble/obstacle/obstacles.h"
 #include "app/scene/read/scene.h"
 #include "meshops/error.h"
-#include "tests/support/plate_and_obstacle.h"
-#include "tests/support/program.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/support/program/plate_and_obstacle.h"
+#include "tests/support/program/program.h"
+#include "tests/support/program/temporary_directory.h"
 
 namespace sherd::test {
 namespace {

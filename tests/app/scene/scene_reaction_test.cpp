@@ -3,8 +3,8 @@
 // motion, contact and fracture.
 #include <gtest/gtest.h>
 
-#include "app/scene/build/supports.h"
-#include "tests/support/built_text.h"
+#include "app/scene/assemble/sheet/supports.h"
+#include "tests/support/program/built_text.h"
 
 namespace sherd::test {
 namespace {

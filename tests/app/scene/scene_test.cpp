@@ -10,16 +10,16 @@
 #include <numbers>
 
 #include "app/messages/nearest_name.h"
-#include "app/scene/build/built_scene.h"
-#include "app/scene/build/mesh.h"
-#include "app/scene/build/supports.h"
-#include "app/scene/read/profile.h"
+#include "app/scene/assemble/built_scene.h"
+#include "app/scene/assemble/sheet/mesh.h"
+#include "app/scene/assemble/sheet/supports.h"
+#include "app/scene/read/parts/profile.h"
 #include "app/scene/toml/toml_table.h"
 #include "meshops/error.h"
 #include "meshops/mesh_measures.h"
-#include "tests/support/message_thrown_by.h"
-#include "tests/support/scene_of.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/support/program/message_thrown_by.h"
+#include "tests/support/program/scene_of.h"
+#include "tests/support/program/temporary_directory.h"
 
 namespace sherd::test {
 namespace {

@@ -6,10 +6,10 @@
 
 #include "app/scene/read/scene.h"
 #include "meshops/error.h"
-#include "tests/support/message_thrown_by.h"
-#include "tests/support/program.h"
-#include "tests/support/scene_of.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/support/program/message_thrown_by.h"
+#include "tests/support/program/program.h"
+#include "tests/support/program/scene_of.h"
+#include "tests/support/program/temporary_directory.h"
 
 namespace sherd::test {
 namespace {

@@ -4,12 +4,12 @@
 
 #include <cmath>
 
-#include "app/scene/build/built_scene.h"
-#include "app/scene/build/winds.h"
+#include "app/scene/assemble/built_scene.h"
+#include "app/scene/assemble/winds.h"
 #include "app/scene/read/scene.h"
 #include "meshops/error.h"
-#include "tests/support/message_thrown_by.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/support/program/message_thrown_by.h"
+#include "tests/support/program/temporary_directory.h"
 
 namespace sherd::test {
 namespace {

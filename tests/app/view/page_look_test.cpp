@@ -7,14 +7,14 @@
 #include <algorithm>
 #include <bit>
 
-#include "app/view.h"
+#include "app/commands/view.h"
 #include "app/view/view_data.h"
 #include "meshops/error.h"
-#include "tests/support/base64.h"
-#include "tests/support/message_thrown_by.h"
-#include "tests/support/png_file.h"
-#include "tests/support/synthetic_run.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/support/program/base64.h"
+#include "tests/support/program/message_thrown_by.h"
+#include "tests/support/program/png_file.h"
+#include "tests/support/program/temporary_directory.h"
+#include "tests/support/recording/synthetic_run.h"
 
 namespace sherd::test {
 namespace {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/view.h"
+#include "app/commands/view.h"
 
 #include <gtest/gtest.h>
 
 #include "app/view/view_assets.h"
 #include "app/view/view_data.h"
 #include "meshops/error.h"
-#include "tests/support/base64.h"
-#include "tests/support/program.h"
-#include "tests/support/synthetic_run.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/support/program/base64.h"
+#include "tests/support/program/program.h"
+#include "tests/support/program/temporary_directory.h"
+#include "tests/support/recording/synthetic_run.h"
 
 namespace sherd::test {
 namespace {

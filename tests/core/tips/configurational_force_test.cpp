@@ -5,7 +5,7 @@
 
 #include "core/membrane/membrane_energy.h"
 #include "core/tips/crack_tip.h"
-#include "tests/support/uneven_patch.h"
+#include "tests/support/shell/uneven_patch.h"
 
 namespace sherd::test {
 namespace {

@@ -4,9 +4,9 @@
 #include <cstdio>
 #include <vector>
 
-#include "fracture/breakable_shell.h"
-#include "meshops/components.h"
-#include "meshops/generate.h"
+#include "fracture/shell/breakable_shell.h"
+#include "meshops/generate/generate.h"
+#include "meshops/topology/components.h"
 
 int main() {
     sherd::GenerateOptions options;

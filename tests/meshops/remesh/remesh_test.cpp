@@ -9,12 +9,12 @@
 #include <iostream>
 #include <numbers>
 
-#include "meshops/components.h"
 #include "meshops/error.h"
-#include "meshops/generate.h"
+#include "meshops/generate/generate.h"
+#include "meshops/intersect/self_intersections.h"
 #include "meshops/random.h"
-#include "meshops/self_intersections.h"
-#include "tests/support/mesh_quality.h"
+#include "meshops/topology/components.h"
+#include "tests/support/mesh/mesh_quality.h"
 
 namespace sherd {
 namespace {

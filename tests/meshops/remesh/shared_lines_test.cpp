@@ -6,10 +6,10 @@
 #include <numbers>
 #include <set>
 
-#include "meshops/components.h"
 #include "meshops/mesh_measures.h"
 #include "meshops/remesh/remesh.h"
 #include "meshops/remesh/shared_edges.h"
+#include "meshops/topology/components.h"
 
 namespace sherd {
 namespace {

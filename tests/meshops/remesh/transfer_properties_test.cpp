@@ -7,9 +7,9 @@
 #include "meshops/attributes.h"
 #include "meshops/face_groups.h"
 #include "meshops/mesh_measures.h"
-#include "meshops/read_mesh.h"
+#include "meshops/read_write/read_mesh.h"
 #include "meshops/remesh/remesh.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/support/program/temporary_directory.h"
 
 namespace sherd {
 namespace {

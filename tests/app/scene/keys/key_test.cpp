@@ -7,7 +7,7 @@
 
 #include <map>
 
-#include "tests/support/message_thrown_by.h"
+#include "tests/support/program/message_thrown_by.h"
 
 namespace sherd {
 namespace test {

@@ -8,11 +8,11 @@
 #include <set>
 #include <sstream>
 
-#include "app/files/checksum.h"
+#include "app/files/disk/checksum.h"
 #include "app/scene/read/scene.h"
-#include "tests/support/message_thrown_by.h"
-#include "tests/support/program.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/support/program/message_thrown_by.h"
+#include "tests/support/program/program.h"
+#include "tests/support/program/temporary_directory.h"
 
 namespace sherd::test {
 namespace {

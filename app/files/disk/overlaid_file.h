@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "app/files/disk/byte_file.h"
+#include "app/files/disk/journal.h"
+
+namespace sherd {
+
+/// Last committed state of a file that another program may be writing, or has left in the middle of a change:
+/// the content on the disk, overlaid with the journal. The state does not change during the lifetime of this
+/// object, unless that is longer than a writer waits for readers (JournaledFile).
+class OverlaidFile : public ByteFile {
+  public:
+    /// Waits up to `patience` for a writer that has locked the file. Throws Error (run).
+    OverlaidFile(const std::filesystem::path& file, std::chrono::milliseconds patience);
+
+    std::uint64_t size() const override;
+    void read(std::uint64_t offset, std::span<std::byte> bytes) const override;
+    /// Both members throw Error (run): the file is read-only.
+    void write(std::uint64_t offset, std::span<const std::byte> bytes) override;
+    void resize(std::uint64_t size) override;
+
+  private:
+    DiskFile disk;
+    std::optional<Journal> journal;
+};
+
+}  // namespace sherd

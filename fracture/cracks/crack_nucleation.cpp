@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fracture/cracks/crack_nucleation.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+namespace sherd {
+namespace {
+
+/// Distance from a tip, in thicknesses and in edges, within which no crack nucleates.
+constexpr double quiet_thicknesses = 4, quiet_edges = 2.5;
+/// Share of the principal tension that in any mesh acts across at least one edge.
+constexpr double least_share = 0.5;
+/// Time for nucleation over that of a crack at its speed limit across the thickness.
+constexpr double delay = 2;
+
+double mean_edge(const Shell& shell, Index face) {
+    return std::sqrt(4 / std::sqrt(3.0) * shell.triangles[face].membrane.area);
+}
+
+double largest_tension(const Matrix3d& stress) {
+    return Eigen::SelfAdjointEigenSolver<Matrix3d>(stress, Eigen::EigenvaluesOnly).eigenvalues()[2];
+}
+
+}  // namespace
+
+bool CrackNucleation::near_a_tip(Edge edge, std::span<const GrowingTip> tips) const {
+    const Shell& mechanics = shell.mechanics();
+    const auto a = static_cast<Index>(shell.mesh().vertex(edge, 0)),
+               b = static_cast<Index>(shell.mesh().vertex(edge, 1));
+    const Vector3d middle = 0.5 * (mechanics.rest.col(a) + mechanics.rest.col(b));
+    const auto face = static_cast<Index>(shell.mesh().face(shell.mesh().halfedge(edge)));
+    const double reach =
+        std::max(quiet_thicknesses * mechanics.thickness[a], quiet_edges * mean_edge(mechanics, face));
+    return std::ranges::any_of(tips, [&](const GrowingTip& tip) {
+        return mechanics.vertex_sheet[tip.vertex] == mechanics.vertex_sheet[a] &&
+               (mechanics.rest.col(tip.vertex) - middle).norm() < reach;
+    });
+}
+
+double CrackNucleation::ratio(const FaceStrains& strains, double across, Edge edge) const {
+    const Mesh& mesh = shell.mesh();
+    if (mesh.is_border(mesh.vertex(edge, 0)) || mesh.is_border(mesh.vertex(edge, 1)) ||
+        shell.has_directed_strength(edge))
+        return across;
+    SurfaceStress stress;
+    for (const int side : {0, 1})
+        stress += surface_stress(shell.mechanics(), static_cast<Index>(mesh.face(mesh.halfedge(edge, side))),
+                                 strains) *
+                  0.5;
+    return std::max(largest_tension(stress.top), largest_tension(stress.bottom)) / shell.strength(edge);
+}
+
+std::optional<Edge> CrackNucleation::next(const FaceStrains& strains, const HingeMeasures& measures,
+                                          std::span<const GrowingTip> tips, double waited) {
+    const Shell& mechanics = shell.mechanics();
+    exposure.resize(shell.mesh().number_of_edges(), 0);
+    std::optional<Edge> inserted;
+    double largest = 0;
+    for (std::size_t hinge = 0; hinge < mechanics.hinges.size(); ++hinge) {
+        const Edge edge = shell.edge_of_hinge(hinge);
+        const Toughness toughness = shell.toughness(edge);
+        if (!toughness.given()) continue;
+        const double across =
+            measures.of(shell.measure(edge), static_cast<Index>(hinge)) / shell.strength(edge);
+        const double over = across > least_share ? ratio(strains, across, edge) : across;
+        double& exposed = exposure[edge];
+        if (!(over > 1)) {
+            exposed = 0;
+            continue;
+        }
+        exposed += (over - 1) * (over - 1) * waited;
+        const double thickness = mechanics.thickness[mechanics.hinges[hinge].vertices[0]];
+        const double needed = timeless ? 0 : delay * thickness / toughness.speed_limit;
+        if (exposed < needed || across <= largest || near_a_tip(edge, tips)) continue;
+        largest = across;
+        inserted = edge;
+    }
+    return inserted;
+}
+
+}  // namespace sherd

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fracture/step/step_policy.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sherd {
+namespace {
+
+/// Number of times that a step must be halved to be at most `length`.
+int halvings_to(double length, double step) {
+    return std::max(0, static_cast<int>(std::ceil(std::log2(step / length))));
+}
+
+}  // namespace
+
+StepPolicy::StepPolicy(const SimulationOptions& options, double energy_floor)
+    : alternates(options.alternates),
+      explicit_halvings(halvings_to(options.explicit_step, options.stepper.step)),
+      scheme(options.stepper.scheme),
+      step_size(options.stepper.step),
+      pace(energy_floor) {}
+
+Urgency StepPolicy::urgency(const StepResult& result) const {
+    if (result) return Urgency::none;
+    if (result.outcome == Outcome::passage) return Urgency::passage;
+    return result.outcome == Outcome::failed && is_explicit() ? Urgency::explicit_failed : Urgency::unsolved;
+}
+
+bool StepPolicy::retry(const Attempt& last, StepReport& report) {
+    const bool has_failed = last.result.outcome == Outcome::failed;
+    if (has_failed && !(alternates && (is_explicit() || pace.is_held()))) return false;
+    if (has_failed && is_explicit()) {
+        if (is_fallback_tried) return false;
+        switch_to_implicit();
+        pace.begin_forced_implicit();
+        report.urgency = last.urgency;
+        return true;
+    }
+    const bool is_held = pace.is_held();
+    if ((!can_switch_to_explicit() || is_held) && step_size.halve()) {
+        ++report.halvings;
+        return true;
+    }
+    if (!can_switch_to_explicit()) return false;
+    if (is_held) is_explicit_fallback = is_fallback_tried = true;
+    switch_to_explicit();
+    report.urgency = last.urgency;
+    return true;
+}
+
+void StepPolicy::switch_to_explicit() {
+    scheme = Scheme::explicit_differences;
+    pace.begin_explicit();
+    step_size.keep(explicit_halvings);
+}
+
+void StepPolicy::switch_to_implicit() {
+    scheme = Scheme::implicit_euler;
+    is_explicit_fallback = false;
+    step_size.resume();
+}
+
+void StepPolicy::finish_step(const StepActivity& step) {
+    const bool at_whole = step_size.is_at_whole();
+    if (!is_explicit())
+        pace.implicit_finished(step, at_whole);
+    else if (pace.explicit_finished(step, at_whole) && alternates)
+        switch_to_implicit();
+}
+
+}  // namespace sherd

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/time/step_result.h"
+#include "fracture/step/simulation_options.h"
+#include "fracture/step/step_pace.h"
+#include "fracture/step/step_report.h"
+#include "fracture/step/step_size.h"
+
+namespace sherd {
+
+/// An attempt at a step, as far as it came.
+struct Attempt {
+    StepResult result = {};           ///< of its last part
+    Urgency urgency = Urgency::none;  ///< reason for another attempt
+
+    explicit operator bool() const { return result && urgency == Urgency::none; }
+};
+
+/// The scheme of a stepper; barriers_follow: see ContactOptions.
+struct SchemeChoice {
+    Scheme scheme;
+    bool barriers_follow;
+
+    bool operator==(const SchemeChoice&) const = default;
+};
+
+/// Decides on length and scheme of each step, and of the next attempt at a step after one in vain. Holds the
+/// clock of a run.
+class StepPolicy {
+  public:
+    /// energy_floor: see StepPace.
+    StepPolicy(const SimulationOptions& options, double energy_floor);
+
+    double size() const { return step_size.size(); }  ///< s, length of the next attempt
+    double time() const { return step_size.time(); }  ///< s, end of the last step
+    bool can_halve() const { return step_size.can_halve(); }
+    bool is_explicit() const { return scheme == Scheme::explicit_differences; }
+    SchemeChoice choice() const { return {scheme, alternates && !is_explicit_fallback}; }
+
+    /// Must be called before the first attempt at a step.
+    void begin_step() { is_fallback_tried = false; }
+    /// The reason for another attempt after a result; none after one that is `done`.
+    Urgency urgency(const StepResult& result) const;
+    /// Whether explicit steps may replace an implicit one that has been solved: see urgency_of().
+    bool can_switch_to_explicit() const { return alternates && !is_explicit(); }
+    /// Returns the urgency of an implicit step that has been solved.
+    Urgency urgency_of(const StepActivity& solved) const { return pace.urgency_of(solved); }
+    /// Prepares another attempt after one in vain: with the other scheme, or half the step. Books a change of
+    /// scheme, or a halving, in the report. Returns false if nothing is left to try.
+    bool retry(const Attempt& last, StepReport& report);
+    /// Must be called when a step ends: sets the clock to its end.
+    void advance() { step_size.advance(); }
+    /// Chooses the scheme of the next step, after advance().
+    void finish_step(const StepActivity& step);
+
+    void visit_state(StateVisitor& visit) {
+        auto& [alternates, explicit_halvings, scheme, is_explicit_fallback, is_fallback_tried, step_size,
+               pace] = *this;
+        visit(scheme, is_explicit_fallback, step_size, pace);
+    }
+
+  private:
+    void switch_to_explicit();
+    void switch_to_implicit();
+
+    bool alternates;        ///< SimulationOptions::alternates
+    int explicit_halvings;  ///< of the nominal step, to the length of explicit ones
+    Scheme scheme;
+    /// Whether steps are explicit because implicit ones have failed, too: overlaps may then exceed those that
+    /// barriers permit.
+    bool is_explicit_fallback = false;
+    bool is_fallback_tried = false;  ///< whether this has been tried in the open step
+    StepSize step_size;
+    StepPace pace;
+};
+
+}  // namespace sherd

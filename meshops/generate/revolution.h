@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "meshops/generate/surface.h"
+
+namespace sherd {
+
+/// The surface that a polyline of (r, z) points sweeps about the z axis. Its parameters are the arc length
+/// along the profile (m) and the angle about the axis (rad). The chart has the polar coordinates (exp u,
+/// angle) with du = ds / r, which is conformal; an end of the profile on the axis is its origin (first end)
+/// or its infinity (last end).
+class Revolution final : public Surface {
+  public:
+    /// reach: m; distance along the profile in which `project` searches.
+    Revolution(std::span<const Eigen::Vector2d> profile, double reach);
+
+    Eigen::Vector3d position(const Eigen::Vector2d& parameter) const override;
+    Eigen::Vector2d chart(const Eigen::Vector2d& parameter) const override;
+    Eigen::Vector2d project(const Eigen::Vector3d& point, const Eigen::Vector2d& near) const override;
+
+    double length() const { return distance.back(); }
+    double radius(double along) const { return at(along).x(); }
+    bool starts_on_axis() const { return profile.front().x() == 0; }
+    bool ends_on_axis() const { return profile.back().x() == 0; }
+    /// Area between two arc lengths, m^2.
+    double area(double from, double to) const;
+    /// Arc lengths (m) of the profile's inner points where it turns by more than `degrees`.
+    std::vector<double> corners(double degrees) const;
+    /// u at an arc length that is not on the axis.
+    double chart_radius(double along) const;
+    /// Range of u over the points that are not on the axis.
+    double chart_range() const;
+
+  private:
+    std::size_t segment(double along) const;
+    Eigen::Vector2d at(double along) const;
+
+    std::vector<Eigen::Vector2d> profile;
+    std::vector<double> distance;    ///< m, arc length of each profile point
+    std::vector<double> log_radius;  ///< u of each profile point; unused for points on the axis
+    double reach;
+};
+
+/// A part of a surface of revolution that does not reach the axis, between two angles. Its chart is (u,
+/// angle), so that the sides are straight there.
+class RevolutionSector final : public Surface {
+  public:
+    /// whole: must outlive this object.
+    explicit RevolutionSector(const Revolution& whole) : whole(whole) {}
+
+    Eigen::Vector3d position(const Eigen::Vector2d& parameter) const override {
+        return whole.position(parameter);
+    }
+    Eigen::Vector2d chart(const Eigen::Vector2d& parameter) const override;
+    Eigen::Vector2d project(const Eigen::Vector3d& point, const Eigen::Vector2d& near) const override;
+
+  private:
+    const Revolution& whole;
+};
+
+}  // namespace sherd

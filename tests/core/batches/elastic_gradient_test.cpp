@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Batches must have the gradient of the energies that they replace.
+#include "core/batches/elastic_gradient.h"
+
+#include <gtest/gtest.h>
+
+#include "core/batches/elastic_energy.h"
+#include "tests/support/shell/elastic_gradient.h"
+#include "tests/support/shell/materials.h"
+#include "tests/support/shell/plates.h"
+#include "tests/support/shell/uneven_patch.h"
+
+namespace sherd {
+namespace {
+
+const ShellEnergyOptions all_models[] = {
+    {.bending = {BendingModel::coupled}},
+    {.bending = {BendingModel::cubic}},
+    {.bending = {BendingModel::cubic, BendingJacobian::cubic}},
+    {.bending = {BendingModel::cubic_2007}},
+    {.bending = {BendingModel::nonlinear}},
+    {.bending = {BendingModel::coupled}, .membrane = MembraneModel::arc},
+    {.bending = {BendingModel::cubic}, .membrane = MembraneModel::arc},
+    {.bending = {BendingModel::coupled}, .yields = {1e5}},
+};
+
+Shell curved_sheet() {
+    Shell shell = test::curved_patch();
+    shell.face_sheet.assign(shell.triangles.size(), 0);
+    return shell;
+}
+
+void expect_same(const Shell& shell, const ShellEnergyOptions& options, double amplitude) {
+    ShellEnergies energies(shell, options);
+    const Threads threads;
+    ElasticGradient batches(shell, energies, options, threads);
+    const Positions x = test::shaken(shell, amplitude, 5), expected = test::elastic_gradient(energies, x);
+    EXPECT_LT((batches.at(x) - expected).norm(), 1e-12 * expected.norm())
+        << "model " << static_cast<int>(options.bending.model) << ", " << options.mirrors.size()
+        << " mirrors";
+}
+
+// Flat and curved sheets, small and large angles, with and without mirrors.
+TEST(ElasticGradient, IsThatOfTheEnergiesWithEachModel) {
+    Shell flat = test::flat_patch(), curved = curved_sheet();
+    flat.face_sheet.assign(flat.triangles.size(), 0);
+    for (Shell* shell : {&flat, &curved})
+        for (ShellEnergyOptions options : all_models)
+            for (const double amplitude : {0.001, 0.03, 0.3}) {
+                expect_same(*shell, options, amplitude);
+                options.mirrors = test::patch_mirrors(*shell);
+                expect_same(*shell, options, amplitude);
+                options.mirrors.clear();
+            }
+}
+
+// Batches must follow an edge that opens: its sides are free then, and shares change.
+TEST(ElasticGradient, FollowsAnEdgeThatOpens) {
+    for (const ShellEnergyOptions& options : all_models) {
+        Shell shell = curved_sheet();
+        ShellEnergies energies(shell, options);
+        const Threads threads;
+        ElasticGradient batches(shell, energies, options, threads);
+        const Positions x = test::shaken(shell, 0.02, 5), before = batches.at(x);
+        ShellChange change;
+        change.removed_hinges = {remove_hinge_of(shell, shell.hinge_edge[20])};
+        for (Energy* energy : energies.elastic()) energy->topology_changed(change, {});
+        batches.shell_changed();
+        const Positions expected = test::elastic_gradient(energies, x);
+        EXPECT_GT((before - expected).norm(), 1e-6 * expected.norm());
+        EXPECT_LT((batches.at(x) - expected).norm(), 1e-12 * expected.norm());
+    }
+}
+
+// Otherwise steps would continue with the forces of a hinge that has been removed.
+TEST(ElasticEnergy, FollowsItsPartsWhenAnEdgeOpens) {
+    for (const ShellEnergyOptions& options : all_models) {
+        Shell shell = curved_sheet();
+        ShellEnergies energies(shell, options);
+        ElasticEnergy whole(shell, energies, options, Threads());
+        const Positions x = test::shaken(shell, 0.02, 5);
+        const auto gradient = [&] {
+            Positions sum = Positions::Zero(3, x.cols());
+            whole.add_gradient(x, sum);
+            return sum;
+        };
+        const Positions before = gradient();
+        ShellChange change;
+        change.removed_hinges = {remove_hinge_of(shell, shell.hinge_edge[20])};
+        whole.topology_changed(change, {});
+        const Positions expected = test::elastic_gradient(energies, x);
+        EXPECT_GT((before - expected).norm(), 1e-6 * expected.norm());
+        EXPECT_LT((gradient() - expected).norm(), 1e-12 * expected.norm());
+        double value = 0;
+        for (const Energy* part : energies.elastic()) value += part->value(x);
+        EXPECT_DOUBLE_EQ(whole.value(x), value);
+    }
+}
+
+// Otherwise a run would depend on the number of the machine's cores.
+TEST(ElasticGradient, HasTheSameBitsWithAnyNumberOfThreads) {
+    const Shell shell = test::stacked_plates(2, 40, 0.1, test::glass);
+    for (const ShellEnergyOptions& options : {all_models[0], all_models[1]}) {
+        ShellEnergies energies(shell, options);
+        const Positions x = test::shaken(shell, 1e-4, 5);
+        const Threads one, two(2), three(3);
+        const Positions alone = ElasticGradient(shell, energies, options, one).at(x);
+        EXPECT_EQ(ElasticGradient(shell, energies, options, two).at(x), alone);
+        EXPECT_EQ(ElasticGradient(shell, energies, options, three).at(x), alone);
+    }
+}
+
+}  // namespace
+}  // namespace sherd

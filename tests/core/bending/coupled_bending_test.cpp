@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/bending/coupled_bending.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "tests/support/shell/uneven_patch.h"
+
+namespace sherd {
+namespace {
+
+// With a wrong sign or factor in the forces, or a pair of vertices missing in the pattern, sheets would move
+// wrongly or the solver would not converge.
+TEST(CoupledBending, DerivativesAreThoseOfTheValue) {
+    Shell flat_sheet = test::flat_patch(), shell = test::curved_patch();
+    for (Shell* sheet : {&flat_sheet, &shell}) {
+        const CoupledBending free(*sheet, {}), held(*sheet, test::patch_mirrors(*sheet));
+        const Positions x = test::shaken(*sheet, 0.03, 1);
+        test::expect_derivatives(free, x, 1e-5, 1e-7);
+        test::expect_derivatives(held, x, 1e-5, 1e-7);
+    }
+}
+
+// Otherwise the solver would not converge where faces yield. (Far beyond the yield stress, or within it: in
+// between the second derivative changes too fast for differences; YieldingSection tests that.)
+TEST(CoupledBending, DerivativesAreThoseOfTheValueWhereFacesYield) {
+    Shell shell = test::curved_patch();
+    shell.face_sheet.assign(shell.triangles.size(), 0);
+    const Positions x = test::shaken(shell, 0.03, 1);
+    const CoupledBending elastic(shell, test::patch_mirrors(shell));
+    const Eigen::Matrix3Xd bent = elastic.curvatures(x);
+    double moment = 0;  // N, mean over the faces
+    for (Index f = 0; f < static_cast<Index>(shell.triangles.size()); ++f)
+        moment += (elastic.rigidity(f) * bent.col(f)).norm() / shell.triangles[f].membrane.area /
+                  static_cast<double>(shell.triangles.size());
+    const double yield = 0.01 * 6 * moment / std::pow(shell.thickness[0], 2);
+    CoupledBending bending(shell, test::patch_mirrors(shell));
+    bending.set_yield({yield});
+    EXPECT_GT(bending.dissipated_by_yielding(x), 0.5 * bending.value(x));
+    EXPECT_GT(bending.plastic_curvatures(x).colwise().norm().minCoeff(), 0);
+    test::expect_derivatives(bending, x, 1e-5, 1e-5);
+    bending.store_plastic_curvature(x);
+    EXPECT_EQ(bending.dissipated_by_yielding(x), 0);
+    EXPECT_GT(bending.value(x), 0);
+    EXPECT_LT((bending.curvatures(x) + bending.plastic_curvatures(x) - bent).norm(), 1e-9 * bent.norm());
+}
+
+// Sheets must neither move nor spin by their own bending, and must keep their rest shape.
+TEST(CoupledBending, RestIsEquilibriumAndRigidMotionCostsNothing) {
+    Shell shell = test::curved_patch();
+    const CoupledBending bending(shell, {});
+    test::Random random(3);
+    const Positions moved = (random.rotation() * shell.rest).colwise() + random.matrix<Vector3d>(2);
+    EXPECT_LT(bending.value(moved), 1e-24);
+    EXPECT_LT(test::gradient_of(bending, moved).norm(), 1e-10);
+    EXPECT_LT(test::gradient_of(CoupledBending(shell, test::patch_mirrors(shell)), shell.rest).norm(), 1e-10);
+
+    const Positions x = test::shaken(shell, 0.05, 2), force = test::gradient_of(bending, x);
+    Vector3d torque = Vector3d::Zero();
+    for (Index v = 0; v < x.cols(); ++v) torque += Vector3d(x.col(v)).cross(Vector3d(force.col(v)));
+    EXPECT_LT(force.rowwise().sum().norm(), 1e-12 * force.norm());
+    EXPECT_LT(torque.norm(), 1e-12 * force.norm());
+    const Positions x_moved = (random.rotation() * x).colwise() + random.matrix<Vector3d>(2);
+    EXPECT_NEAR(bending.value(x_moved), bending.value(x), 1e-11 * bending.value(x));
+}
+
+// Newton's method uses the convex Hessian where the exact one is indefinite.
+TEST(CoupledBending, ConvexHessianIsSemidefiniteAndExactAtRest) {
+    Shell shell = test::curved_patch();
+    const CoupledBending bending(shell, test::patch_mirrors(shell));
+    const Eigen::MatrixXd convex = test::hessian_of(bending, test::shaken(shell, 0.05, 3), Curvature::convex);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(convex);
+    EXPECT_GT(solver.eigenvalues()[0], -1e-10 * solver.eigenvalues().tail<1>()[0]);
+    const Eigen::MatrixXd exact = test::hessian_of(bending, shell.rest, Curvature::exact);
+    EXPECT_LT((exact - test::hessian_of(bending, shell.rest, Curvature::convex)).norm(), 1e-9 * exact.norm());
+}
+
+// Mechanisms would let a sheet crumple without energy: only the rigid motions of a free shell, and all
+// motions of a flat one in its plane, may cost no bending.
+TEST(CoupledBending, FlatSheetHasNoModesWithoutEnergyButItsPlanes) {
+    const Shell shell = test::flat_patch();
+    const CoupledBending bending(shell, {});
+    const Eigen::MatrixXd all = test::hessian_of(bending, shell.rest, Curvature::exact);
+    const Eigen::Index count = shell.rest.cols();
+    Eigen::MatrixXd out_of_plane(count, count);
+    for (Eigen::Index i = 0; i < count; ++i)
+        for (Eigen::Index j = 0; j < count; ++j) out_of_plane(i, j) = all(3 * i + 2, 3 * j + 2);
+    const VectorXd eigenvalues = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(out_of_plane).eigenvalues();
+    EXPECT_LT(eigenvalues[2], 1e-9 * eigenvalues[count - 1]);  // a translation and two rotations
+    EXPECT_GT(eigenvalues[3], 1e-5 * eigenvalues[count - 1]);
+}
+
+/// Height of a quadratic surface.
+double quadratic(double x, double y) {
+    return 0.5 * x * x + 0.7 * x * y - 0.3 * y * y;
+}
+
+// The property that makes the model converge, and that the plain hinge lacks.
+TEST(CoupledBending, QuadraticSurfaceHasItsCurvatureInEveryFaceButAtFreeEdges) {
+    const Shell shell = test::flat_patch();
+    const double amplitude = 1e-6;
+    Positions x = shell.rest;
+    for (Index v = 0; v < x.cols(); ++v) x(2, v) = amplitude * quadratic(x(0, v), x(1, v));
+    const Eigen::Matrix3Xd curvatures = CoupledBending(shell, {}).curvatures(x);
+    std::vector<int> free_sides(shell.triangles.size(), 3);
+    for (const auto& sides : sides_of_hinges(shell))
+        for (const auto& [triangle, corner] : sides) --free_sides[triangle];
+    int inner = 0;
+    for (std::size_t f = 0; f < free_sides.size(); ++f) {
+        if (free_sides[f] > 0) continue;
+        const auto& vertices = shell.triangles[f].vertices;
+        const Vector3d first = shell.rest.col(vertices[1]) - shell.rest.col(vertices[0]);
+        const Vector3d expected = turned_tensor({1, -0.6, 0.7}, -std::atan2(first.y(), first.x()));
+        const Vector3d found = curvatures.col(static_cast<Eigen::Index>(f)) / amplitude;
+        EXPECT_NEAR(found[0], expected[0], 1e-6);
+        EXPECT_NEAR(found[1], expected[1], 1e-6);
+        EXPECT_NEAR(found[2], 2 * expected[2], 1e-6);
+        ++inner;
+    }
+    EXPECT_GT(inner, 20);
+}
+
+// At a symmetry plane and at a clamp the faces must include the other half of the surface.
+TEST(CoupledBending, SurfaceHasItsCurvatureBesideMirrors) {
+    Shell shell = test::flat_patch();
+    const double amplitude = 1e-6;
+    Positions x = shell.rest;  // slope zero across both mirrors
+    for (Index v = 0; v < x.cols(); ++v) x(2, v) = amplitude * (0.5 * x(0, v) * x(0, v) - x(1, v) * x(1, v));
+    const Eigen::Matrix3Xd curvatures = CoupledBending(shell, test::patch_mirrors(shell)).curvatures(x);
+    const std::array<Index, 3>& corner = shell.triangles[1].vertices;  // a corner on both mirrors
+    EXPECT_EQ(*std::ranges::min_element(corner), 0);
+    EXPECT_NEAR((curvatures(0, 1) + curvatures(1, 1)) / amplitude, -1, 1e-6);
+}
+
+// Damping measures from a shape other than rest.
+TEST(CoupledBending, StartsFromAnyShape) {
+    const Shell shell = test::curved_patch();
+    CoupledBending bending(shell, {});
+    const Positions from = test::shaken(shell, 0.05, 5), x = test::shaken(shell, 0.05, 6);
+    const VectorXd between = bending.changes(x) - bending.changes(from);
+    bending.start_from(from, 3);
+    EXPECT_LT(bending.value(from), 1e-24);
+    EXPECT_LT((bending.changes(x) - between).norm(), 1e-12);
+    test::expect_derivatives(bending, x, 1e-5, 1e-7);
+}
+
+}  // namespace
+}  // namespace sherd
