@@ -9,46 +9,44 @@
 #include <sstream>
 
 #include "meshops/error.h"
+#include "tests/support/program/contains.h"
 #include "tests/support/program/message_thrown_by.h"
 
-namespace sherd {
+namespace sherd::test {
 namespace {
-
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 TEST(KeyReference, ATableHasAllItsKeysWithValueDefaultAndMeaning) {
     const std::string text = key_reference("solver", 0);
-    EXPECT_TRUE(has(text, "[solver] Time steps and their solution\n")) << text;
-    EXPECT_TRUE(has(
+    EXPECT_TRUE(contains(text, "[solver] Time steps and their solution\n")) << text;
+    EXPECT_TRUE(contains(
         text, "  max_stages      an integer of 1 or more; default: 100. largest number of stages in a step"))
         << text;
-    EXPECT_TRUE(has(text, "\"implicit-euler\", \"bdf2\", \"auto\", \"explicit\" or \"static\"")) << text;
-    EXPECT_FALSE(has(text, "adaptive")) << "a retired key is no advice: " << text;
-    EXPECT_FALSE(has(text, "[solver.damping]")) << "of this table alone: " << text;
+    EXPECT_TRUE(contains(text, "\"implicit-euler\", \"bdf2\", \"auto\", \"explicit\" or \"static\"")) << text;
+    EXPECT_FALSE(contains(text, "adaptive")) << "a retired key is no advice: " << text;
+    EXPECT_FALSE(contains(text, "[solver.damping]")) << "of this table alone: " << text;
 }
 
 TEST(KeyReference, AKeyIsFoundByItsNameInAllTablesThatHaveIt) {
     const std::string friction = key_reference("friction", 0);
     for (const char* place : {"[contact]", "[obstacle.NAME]", "[force.wind]"})
-        EXPECT_TRUE(has(friction, place)) << friction;
-    EXPECT_FALSE(has(friction, "young")) << friction;
+        EXPECT_TRUE(contains(friction, place)) << friction;
+    EXPECT_FALSE(contains(friction, "young")) << friction;
     const std::string one = key_reference("contact.friction", 0);
-    EXPECT_TRUE(has(one, "[contact]")) << one;
-    EXPECT_FALSE(has(one, "[obstacle.NAME]")) << one;
+    EXPECT_TRUE(contains(one, "[contact]")) << one;
+    EXPECT_FALSE(contains(one, "[obstacle.NAME]")) << one;
 }
 
 TEST(KeyReference, SheetsAndObstaclesNeedNoName) {
     EXPECT_EQ(key_reference("sheet.fracture", 0), key_reference("sheet.NAME.fracture", 0));
     EXPECT_EQ(key_reference("fracture", 0), key_reference("sheet.NAME.fracture", 0));
-    EXPECT_TRUE(has(key_reference("scene", 0), "  seed ")) << key_reference("scene", 0);
+    EXPECT_TRUE(contains(key_reference("scene", 0), "  seed ")) << key_reference("scene", 0);
 }
 
 TEST(KeyReference, AnUnknownNameIsAnErrorWithTheNearestOne) {
-    EXPECT_TRUE(has(test::message_thrown_by([] { key_reference("solvr", 0); }), "did you mean 'solver'?"));
     EXPECT_TRUE(
-        has(test::message_thrown_by([] { key_reference("solver.stpe", 0); }), "did you mean 'solver.step'?"));
+        contains(test::message_thrown_by([] { key_reference("solvr", 0); }), "did you mean 'solver'?"));
+    EXPECT_TRUE(contains(test::message_thrown_by([] { key_reference("solver.stpe", 0); }),
+                         "did you mean 'solver.step'?"));
 }
 
 TEST(KeyReference, LinesFitTheTerminal) {
@@ -90,9 +88,9 @@ TEST(KeyReference, SettableKeysHaveTheNamesOfTheSceneAndTheirWords) {
         offers("sheet.cup.mesh.generate rectangle disc cylinder sphere plate bowl revolution polygon"));
     std::vector<std::string> keys;
     for (const std::string& line : lines) keys.push_back(line.substr(0, line.find(' ')));
-    for (const std::string& key : keys) EXPECT_FALSE(has(key, "NAME")) << key;
+    for (const std::string& key : keys) EXPECT_FALSE(contains(key, "NAME")) << key;
     EXPECT_TRUE(std::ranges::adjacent_find(keys) == keys.end()) << "a key is offered twice";
 }
 
 }  // namespace
-}  // namespace sherd
+}  // namespace sherd::test

@@ -15,6 +15,7 @@
 #include "app/progress/progress_line.h"
 #include "app/progress/run_progress.h"
 #include "app/recording/recording.h"
+#include "tests/support/program/contains.h"
 #include "tests/support/program/falling_disc.h"
 #include "tests/support/program/program.h"
 #include "tests/support/program/temporary_directory.h"
@@ -36,10 +37,6 @@ std::string line_of(const RunProgress& progress, std::size_t columns, const std:
     status.parts.push_back({"ETA 12:34:56", 0});
     status.parts.insert(status.parts.end(), text.after.begin(), text.after.end());
     return progress_line(status, columns);
-}
-
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }
 
 TEST(ProgressLine, IsShorterThanAnyTerminal) {
@@ -72,8 +69,8 @@ TEST(ProgressDisplay, SaysAgainHowFarThingsAreWhereNothingNewHappens) {
     }
     const std::string text = testing::internal::GetCapturedStderr();
     EXPECT_TRUE(text.starts_with("sherd: nothing is done yet, after 0:00\n")) << text;
-    EXPECT_TRUE(has(text, "\n 30%  step 3  ETA 0:00\n")) << text;
-    EXPECT_TRUE(has(text, "\n 30%  step 3  ETA 0:00, after 0:00\n")) << text;
+    EXPECT_TRUE(contains(text, "\n 30%  step 3  ETA 0:00\n")) << text;
+    EXPECT_TRUE(contains(text, "\n 30%  step 3  ETA 0:00, after 0:00\n")) << text;
 }
 
 // Users look for the remaining time; details for experts are omitted first.
@@ -82,14 +79,15 @@ TEST(ProgressLine, LeavesOutTheLeastImportantFirst) {
     std::size_t there = 0;
     for (std::size_t columns = 20; columns < 200; ++columns) {
         const std::string line = line_of(long_run(), columns);
-        const auto said = std::ranges::count_if(words, [&](const auto& word) { return has(line, word); });
+        const auto said =
+            std::ranges::count_if(words, [&](const auto& word) { return contains(line, word); });
         for (std::size_t i = 0; i < words.size(); ++i)
-            EXPECT_EQ(has(line, words[i]), static_cast<std::ptrdiff_t>(i) < said) << line;
+            EXPECT_EQ(contains(line, words[i]), static_cast<std::ptrdiff_t>(i) < said) << line;
         EXPECT_GE(static_cast<std::size_t>(said), there) << line;
         there = static_cast<std::size_t>(said);
     }
     EXPECT_EQ(there, words.size());
-    EXPECT_TRUE(has(line_of(long_run(), 80), "fragments"));
+    EXPECT_TRUE(contains(line_of(long_run(), 80), "fragments"));
 }
 
 TEST(ProgressLine, CountsCharactersAndNotBytes) {
@@ -116,7 +114,7 @@ TEST(RunProgress, PassesThroughALine) {
 
 /// Number of lines with a bar that were too long; the table at the end may be wider than a terminal.
 std::ptrdiff_t wrapped_bars(const Screen& screen) {
-    return std::ranges::count_if(screen.wrapped, [](const auto& line) { return has(line, "["); });
+    return std::ranges::count_if(screen.wrapped, [](const auto& line) { return contains(line, "["); });
 }
 
 /// Output of a complete run on a terminal of `columns` columns.
@@ -154,7 +152,7 @@ TEST_F(ProgressOnATerminal, NeverWrapsAndLeavesOneLine) {
         const auto text = shown.screen.text();
         ASSERT_GE(text.size(), 2u);
         EXPECT_TRUE(text[0].starts_with("[####")) << text[0];
-        EXPECT_TRUE(has(text[0], "0.002 of 0.002 s  took 0:0")) << text[0];
+        EXPECT_TRUE(contains(text[0], "0.002 of 0.002 s  took 0:0")) << text[0];
         EXPECT_TRUE(text[1].starts_with("run                   complete")) << text[1];
     }
 }
@@ -184,8 +182,8 @@ TEST_F(ProgressOnATerminal, FitsAfterTheTerminalHasBecomeNarrower) {
     EXPECT_EQ(program.exit_code, 130);
     EXPECT_EQ(wrapped_bars(after), 0) << "what Ctrl-C echoes made the line wrap";
     EXPECT_EQ(after.column, 0u) << "a shell's prompt would come behind something";
-    EXPECT_TRUE(has(after.text().at(0), "] ")) << after.text().at(0);
-    EXPECT_TRUE(has(after.text().at(1), "run                   interrupted")) << after.text().at(1);
+    EXPECT_TRUE(contains(after.text().at(0), "] ")) << after.text().at(0);
+    EXPECT_TRUE(contains(after.text().at(1), "run                   interrupted")) << after.text().at(1);
     EXPECT_EQ(Recording(directory.path / "scene.h5").end(), "interrupted");
 }
 
@@ -238,9 +236,9 @@ TEST_F(ProgressOnATerminal, OfVariantsThatEndLeavesALineAndATableOfEach) {
         const auto line =
             std::ranges::find_if(text, [&](const auto& l) { return l.starts_with(name + "["); });
         ASSERT_NE(line, text.end()) << shown.bytes;
-        EXPECT_TRUE(has(*line, "[##########")) << *line;
-        EXPECT_TRUE(has(*line, "0.002 of 0.002 s  took 0:0")) << *line;
-        EXPECT_TRUE(has(*(line + 1), "variant " + name.substr(0, name.find(' ')))) << *(line + 1);
+        EXPECT_TRUE(contains(*line, "[##########")) << *line;
+        EXPECT_TRUE(contains(*line, "0.002 of 0.002 s  took 0:0")) << *line;
+        EXPECT_TRUE(contains(*(line + 1), "variant " + name.substr(0, name.find(' ')))) << *(line + 1);
     }
 }
 
@@ -249,9 +247,9 @@ TEST_F(ProgressOnATerminal, OnADumbTerminalIsALineForEachTenthWithoutEscapes) {
     directory.write("scene.toml", falling_disc);
     const Shown shown = run_on_terminal({"run", "scene.toml"}, directory, 80, "dumb");
     EXPECT_EQ(shown.exit_code, 0);
-    EXPECT_FALSE(has(shown.bytes, "\x1b"));
-    EXPECT_FALSE(has(shown.bytes, "\r"));
-    EXPECT_TRUE(has(shown.bytes, "\n 20%  step 4  0.0004 of 0.002 s  ETA 0:0")) << shown.bytes;
+    EXPECT_FALSE(contains(shown.bytes, "\x1b"));
+    EXPECT_FALSE(contains(shown.bytes, "\r"));
+    EXPECT_TRUE(contains(shown.bytes, "\n 20%  step 4  0.0004 of 0.002 s  ETA 0:0")) << shown.bytes;
 }
 
 TEST(Progress, OfAFileIsALineForEachTenth) {
@@ -262,14 +260,14 @@ TEST(Progress, OfAFileIsALineForEachTenth) {
         if (!all) arguments.insert(arguments.end(), {"--variant", "slow"});
         const ProgramResult result = run_sherd(arguments, directory.path);
         ASSERT_EQ(result.exit_code, 0) << result.err;
-        EXPECT_FALSE(has(result.err, "\r") || has(result.err, "\x1b")) << result.err;
+        EXPECT_FALSE(contains(result.err, "\r") || contains(result.err, "\x1b")) << result.err;
         const std::string name = all ? "slow: " : "";
         std::size_t at = 0;
         for (int tenth = 1; tenth <= 10; ++tenth) {
             at = result.err.find(fmt::format("{}{:3}%  step {}  ", name, 10 * tenth, 2 * tenth), at);
             ASSERT_NE(at, std::string::npos) << tenth << "\n" << result.err;
         }
-        EXPECT_FALSE(has(result.err, "  5%") || has(result.err, " 15%")) << result.err;
+        EXPECT_FALSE(contains(result.err, "  5%") || contains(result.err, " 15%")) << result.err;
     }
 }
 

@@ -8,15 +8,12 @@
 #include "app/scene/assemble/built_scene.h"
 #include "app/scene/assemble/check/plausibility.h"
 #include "app/scene/read/scene.h"
+#include "tests/support/program/contains.h"
 #include "tests/support/program/program.h"
 #include "tests/support/program/temporary_directory.h"
 
 namespace sherd::test {
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 const std::string disc = R"(duration = 0.03
 [sheet.disc]

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "app/recording/recording.h"
+#include "tests/support/program/contains.h"
 #include "tests/support/program/program.h"
 #include "tests/support/program/temporary_directory.h"
 
@@ -45,10 +46,6 @@ class ModesCommand : public testing::Test {
     TemporaryDirectory directory;
 };
 
-bool mentions(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 // rho t = 1 kg/m^2, D = Y t^3 / (12 (1 - nu^2)) = 1 N m, a = 0.1 m: Leissa's numbers times 100 are omega.
 TEST_F(ModesCommand, TellsTheFrequenciesOfAFreePlate) {
     const Json json = json_of(square_plate(), {"-n", "3"});
@@ -65,10 +62,10 @@ TEST_F(ModesCommand, TellsTheFrequenciesOfAFreePlate) {
     }
     const ProgramResult table = modes(square_plate(), {"-n", "3"});
     EXPECT_EQ(table.err, "");
-    EXPECT_TRUE(mentions(table.out, "6 rigid motions")) << table.out;
+    EXPECT_TRUE(contains(table.out, "6 rigid motions")) << table.out;
     EXPECT_TRUE(
-        mentions(table.out, fmt::format("   1 {:>14.5g}", json["modes"][0]["frequency"].get<double>())));
-    EXPECT_FALSE(mentions(table.out, "left out")) << table.out;
+        contains(table.out, fmt::format("   1 {:>14.5g}", json["modes"][0]["frequency"].get<double>())));
+    EXPECT_FALSE(contains(table.out, "left out")) << table.out;
 }
 
 // Supports must act as in a run: with an incomplete support frequencies would be too low.
@@ -101,7 +98,7 @@ TEST_F(ModesCommand, SaysWhatItLeavesOut) {
         "[force.wind]\nvelocity = [1, 0, 0]\n";
     const ProgramResult result = modes(square_plate(more) + "damping.mass = 1\n", {"-n", "1"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_TRUE(mentions(result.out, "left out     contact with floor, ball; wind; damping\n")) << result.out;
+    EXPECT_TRUE(contains(result.out, "left out     contact with floor, ball; wind; damping\n")) << result.out;
     const Json two = json_of(
         "duration = 1\n[sheet.a]\nmesh = { generate = \"disc\", radius = 0.1, edge_length = "
         "0.03 }\nmaterial = { preset = \"steel\" }\n[sheet.b]\nmesh = { generate = \"disc\", "
@@ -118,14 +115,14 @@ TEST_F(ModesCommand, TellsOfAnUnstableState) {
         "material = { preset = \"steel\", thickness = 1e-3 }\n[[force.load]]\npressure = 1e10\nramp = 1\n";
     const ProgramResult result = modes(scene, {"-n", "2"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_TRUE(mentions(result.out, "   1  unstable: grows e-fold in ")) << result.out;
-    EXPECT_TRUE(mentions(result.err, "sherd: warning: the initial state of the scene is unstable"))
+    EXPECT_TRUE(contains(result.out, "   1  unstable: grows e-fold in ")) << result.out;
+    EXPECT_TRUE(contains(result.err, "sherd: warning: the initial state of the scene is unstable"))
         << result.err;
     const Json json = json_of(scene, {"-n", "2", "-o", "collapse.h5"});
     EXPECT_EQ(json["modes"][0]["frequency"], 0);
     EXPECT_GT(json["modes"][0]["growth"], 100);
     const ProgramResult info = run_sherd({"info", "collapse.h5"}, directory.path);
-    EXPECT_TRUE(mentions(info.out, "     1  unstable, grows e-fold in ")) << info.out;
+    EXPECT_TRUE(contains(info.out, "     1  unstable, grows e-fold in ")) << info.out;
 }
 
 // Orthotropy and the other bending models must have an effect.
@@ -149,18 +146,18 @@ TEST_F(ModesCommand, RefusesWhatMakesNoSense) {
     for (const std::string count : {"0", "-3", "many", "1.5", "1001"}) {
         const ProgramResult result = modes(square_plate(), {"-n", count});
         EXPECT_EQ(result.exit_code, 2) << count;
-        EXPECT_TRUE(mentions(result.err, "--count")) << result.err;
+        EXPECT_TRUE(contains(result.err, "--count")) << result.err;
     }
     EXPECT_EQ(modes(square_plate(), {"--amplitude", "0"}).exit_code, 2);
     const ProgramResult frames = modes(square_plate(), {"--frames", "6"});
     EXPECT_EQ(frames.exit_code, 2);
-    EXPECT_TRUE(mentions(frames.err, "is no multiple of 4: 6")) << frames.err;
+    EXPECT_TRUE(contains(frames.err, "is no multiple of 4: 6")) << frames.err;
     const ProgramResult held = modes(square_plate("pin = { box = [[-1, -1, -1], [1, 1, 1]] }\n"), {});
     EXPECT_EQ(held.exit_code, 2);
-    EXPECT_TRUE(mentions(held.err, "scene.toml: nothing can vibrate")) << held.err;
+    EXPECT_TRUE(contains(held.err, "scene.toml: nothing can vibrate")) << held.err;
     const ProgramResult wrong = modes("duration = 1\n", {"-o", "modes.h5"});
     EXPECT_EQ(wrong.exit_code, 2);
-    EXPECT_TRUE(mentions(wrong.err, "scene.toml")) << wrong.err;
+    EXPECT_TRUE(contains(wrong.err, "scene.toml")) << wrong.err;
     EXPECT_FALSE(std::filesystem::exists(directory.path / "modes.h5"));
 }
 
@@ -170,7 +167,7 @@ TEST_F(ModesCommand, GivesAllModesOfASmallMesh) {
         "structured = true }\nmaterial = { preset = \"steel\", thickness = 0.01 }\n";
     const ProgramResult result = modes(square, {"-n", "50"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_TRUE(mentions(result.out, "modes        all 6 that this mesh has")) << result.out;
+    EXPECT_TRUE(contains(result.out, "modes        all 6 that this mesh has")) << result.out;
 }
 
 // The recording must agree with the output, and an existing recording must be kept.
@@ -196,7 +193,7 @@ TEST_F(ModesCommand, RecordsWhatItPrints) {
     const auto before = directory.contents();
     const ProgramResult again = modes(square_plate(), {"-n", "2", "-o", "modes.h5"});
     EXPECT_EQ(again.exit_code, 2);
-    EXPECT_TRUE(mentions(again.err, "'modes.h5'")) << again.err;
+    EXPECT_TRUE(contains(again.err, "'modes.h5'")) << again.err;
     EXPECT_EQ(again.out, "") << "the work is done before it is known to be in vain";
     EXPECT_EQ(directory.contents(), before);
 }
@@ -212,12 +209,12 @@ TEST_F(ModesCommand, IsShownByWhatShowsRuns) {
         {"render", "modes.h5", "-o", "pictures", "--frames", "1:8:4", "--samples", "1", "--size", "240x240"});
     EXPECT_TRUE(std::filesystem::exists(directory.path / "pictures/modes_000005.png"));
     works({"view", "modes.h5"});
-    EXPECT_TRUE(mentions(directory.contents()[(directory.path / "modes.html").string()], "mode 2: "));
+    EXPECT_TRUE(contains(directory.contents()[(directory.path / "modes.html").string()], "mode 2: "));
     for (const std::string format : {"obj", "pvd", "glb", "mdd"})
         works({"export", "modes.h5", "--force", "--to", format});
     const ProgramResult plot = run_sherd({"plot", "modes.h5"}, directory.path);
     EXPECT_EQ(plot.exit_code, 2);
-    EXPECT_TRUE(mentions(plot.err, "modes of vibration")) << plot.err;
+    EXPECT_TRUE(contains(plot.err, "modes of vibration")) << plot.err;
 }
 
 TEST_F(ModesCommand, TakesVariantsOneByOne) {
@@ -247,7 +244,7 @@ TEST_F(ModesCommand, CanBeInterrupted) {
     const ProgramResult result = run_sherd({"modes", "scene.toml", "-o", "modes.h5", "--frames", "1000"},
                                            directory.path, {}, interrupt);
     EXPECT_EQ(result.exit_code, 130);
-    EXPECT_TRUE(mentions(result.err, "interrupted")) << result.err;
+    EXPECT_TRUE(contains(result.err, "interrupted")) << result.err;
     EXPECT_EQ(Recording(file).end(), "interrupted");
 }
 
@@ -257,7 +254,7 @@ TEST_F(ModesCommand, SaysThatTheDiskIsFull) {
     const ProgramResult result =
         run_sherd({"modes", "scene.toml", "-o", "modes.h5"}, directory.path, {.file_bytes = 1000000});
     EXPECT_EQ(result.exit_code, 1);
-    EXPECT_TRUE(mentions(result.err, "sherd: error: cannot record")) << result.err;
+    EXPECT_TRUE(contains(result.err, "sherd: error: cannot record")) << result.err;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "app/recording/recording.h"
+#include "tests/support/program/contains.h"
 #include "tests/support/program/falling_disc.h"
 #include "tests/support/program/program.h"
 #include "tests/support/program/temporary_directory.h"
@@ -25,10 +26,6 @@ sheet.plate.velocity = [0, 0, -1]
 name = "turning"
 sheet.plate.spin = [0, 5, 0]
 )";
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 TEST(RunVariants, RunsAllAsIfEachWereRunAlone) {
     const TemporaryDirectory directory;

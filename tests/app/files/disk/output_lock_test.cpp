@@ -16,6 +16,7 @@
 
 #include "app/recording/recording.h"
 #include "meshops/error.h"
+#include "tests/support/program/contains.h"
 #include "tests/support/program/falling_disc.h"
 #include "tests/support/program/program.h"
 #include "tests/support/program/temporary_directory.h"
@@ -25,10 +26,6 @@ namespace sherd::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 /// Message of a lock that could not be taken; "" if it was.
 std::string refusal(const fs::path& output) {
@@ -48,10 +45,10 @@ TEST(OutputLock, IsGivenToOneAtATimeAndSaysToWhom) {
         const OutputLock lock(output);
         const std::string text = refusal(output);
         EXPECT_TRUE(text.starts_with("'" + output.string() + "' is being written by '")) << text;
-        EXPECT_TRUE(has(text, program_invocation_short_name)) << text;
-        EXPECT_TRUE(has(text, "(process " + std::to_string(getpid()) + " on ")) << text;
-        EXPECT_TRUE(has(text, ", since 2")) << text;
-        EXPECT_TRUE(has(text, "name another output")) << text;
+        EXPECT_TRUE(contains(text, program_invocation_short_name)) << text;
+        EXPECT_TRUE(contains(text, "(process " + std::to_string(getpid()) + " on ")) << text;
+        EXPECT_TRUE(contains(text, ", since 2")) << text;
+        EXPECT_TRUE(contains(text, "name another output")) << text;
         EXPECT_EQ(refusal(directory.path / "." / "run.h5").empty(), false) << "the same file by another name";
         EXPECT_EQ(refusal(directory.path / "other.h5"), "");
     }
@@ -78,8 +75,8 @@ TEST(OutputLock, AFileThatNobodyHasLockedBlocksNobody) {
     for (const std::string name : {"run.h5", "empty.h5"}) {
         const OutputLock lock(directory.path / name);
         const std::string text = refusal(directory.path / name);
-        EXPECT_TRUE(has(text, std::to_string(getpid()))) << text;
-        EXPECT_FALSE(has(text, "elsewhere")) << text;
+        EXPECT_TRUE(contains(text, std::to_string(getpid()))) << text;
+        EXPECT_FALSE(contains(text, "elsewhere")) << text;
     }
     EXPECT_TRUE(fs::is_empty(directory.path));
 }
@@ -93,7 +90,7 @@ TEST(OutputLock, DoesNotTakeSomebodysFileForALock) {
     const auto before = directory.contents();
     for (const std::string name : {"run.h5", "linked.h5", "folder.h5"}) {
         const std::string text = refusal(directory.path / name);
-        EXPECT_TRUE(has(text, name + ".lock'") && has(text, "remove it")) << text;
+        EXPECT_TRUE(contains(text, name + ".lock'") && contains(text, "remove it")) << text;
     }
     EXPECT_EQ(directory.contents(), before);
 }
@@ -105,7 +102,7 @@ TEST(OutputLock, ShowsNothingThatATerminalWouldObey) {
     const int descriptor = open(file.c_str(), O_RDONLY);
     ASSERT_EQ(flock(descriptor, LOCK_EX), 0);
     const std::string text = refusal(directory.path / "run.h5");
-    EXPECT_TRUE(has(text, "written by ?[2J? (process 7); ")) << text;
+    EXPECT_TRUE(contains(text, "written by ?[2J? (process 7); ")) << text;
     close(descriptor);
 }
 
@@ -114,7 +111,8 @@ TEST(OutputLock, OfOneThatDoesNotSayWhoItIsIsALockAllTheSame) {
     const TemporaryDirectory directory;
     const int descriptor = open(directory.write("run.h5.lock", "").c_str(), O_RDONLY);
     ASSERT_EQ(flock(descriptor, LOCK_EX), 0);
-    EXPECT_TRUE(has(refusal(directory.path / "run.h5"), "run.h5' is being written; ")) << refusal("run.h5");
+    EXPECT_TRUE(contains(refusal(directory.path / "run.h5"), "run.h5' is being written; "))
+        << refusal("run.h5");
     close(descriptor);
 }
 
@@ -142,8 +140,8 @@ TEST(OutputLock, OfManyAtOnceOneGetsIt) {
 }
 
 TEST(OutputLock, IsNotToBeHadWhereNothingCanBeWritten) {
-    EXPECT_TRUE(has(refusal("/proc/run.h5"), "cannot create '/proc/run.h5'"));
-    EXPECT_TRUE(has(refusal("/no such folder/run.h5"), "name a file in a folder that exists"));
+    EXPECT_TRUE(contains(refusal("/proc/run.h5"), "cannot create '/proc/run.h5'"));
+    EXPECT_TRUE(contains(refusal("/no such folder/run.h5"), "name a file in a folder that exists"));
 }
 
 // Sherd must work on a file system without locks, but not let two programs write.
@@ -160,8 +158,8 @@ TEST(OutputLock, WithoutLocksOfTheFileSystemTheFileIsTheLock) {
                     "written by 'sherd run' (process 1 on elsewhere, since 2001-01-01 00:00:00)\n");
     const ProgramResult second = run_sherd(command, directory.path, limits);
     EXPECT_EQ(second.exit_code, 2);
-    EXPECT_TRUE(has(second.err, "process 1 on elsewhere")) << second.err;
-    EXPECT_TRUE(has(second.err, "remove 'scene.h5.lock'")) << second.err;
+    EXPECT_TRUE(contains(second.err, "process 1 on elsewhere")) << second.err;
+    EXPECT_TRUE(contains(second.err, "remove 'scene.h5.lock'")) << second.err;
 }
 
 void wait_for(const fs::path& file) {
@@ -183,16 +181,16 @@ TEST(OutputLock, ASecondRunIsRefusedAndTheFirstOnesRecordingStays) {
     const ProgramResult result = run_sherd({"run", "scene.toml", "-o", "out.h5", "--set", "duration=1000"},
                                            directory.path, {}, meanwhile);
     EXPECT_EQ(second.exit_code, 2);
-    EXPECT_TRUE(has(second.err,
-                    "sherd: error: './out.h5' is being written by 'sherd run scene.toml -o out.h5 "
-                    "--set duration=1000' (process " +
-                        first + " on "))
+    EXPECT_TRUE(contains(second.err,
+                         "sherd: error: './out.h5' is being written by 'sherd run scene.toml -o out.h5 "
+                         "--set duration=1000' (process " +
+                             first + " on "))
         << second.err;
     EXPECT_EQ(result.exit_code, 130) << result.err;
     const Recording recording(directory.path / "out.h5");
     EXPECT_EQ(recording.end(), "interrupted");
     EXPECT_GE(recording.frame_count(), 1u);
-    EXPECT_TRUE(has(recording.header().scene_text, "duration=1000"));
+    EXPECT_TRUE(contains(recording.header().scene_text, "duration=1000"));
     EXPECT_FALSE(fs::exists(directory.path / "out.h5.lock") || fs::exists(directory.path / "out.xdmf.lock"));
 }
 
@@ -221,13 +219,13 @@ TEST(OutputLock, OfVariantsIsLookedAtBeforeOneIsRun) {
         const auto before = directory.contents();
         const ProgramResult result = run_sherd(all, directory.path);
         EXPECT_EQ(result.exit_code, 2);
-        EXPECT_TRUE(has(result.err, "scene-b.h5' is being written by '")) << result.err;
+        EXPECT_TRUE(contains(result.err, "scene-b.h5' is being written by '")) << result.err;
         EXPECT_EQ(directory.contents(), before);
     }
     const OutputLock lock(directory.path / "scene.h5");  // as of a run of all variants, between two of them
     const ProgramResult result = run_sherd(all, directory.path);
     EXPECT_EQ(result.exit_code, 2);
-    EXPECT_TRUE(has(result.err, "scene.h5' is being written by '")) << result.err;
+    EXPECT_TRUE(contains(result.err, "scene.h5' is being written by '")) << result.err;
 }
 
 TEST(OutputLock, IsTakenByEveryCommandThatWrites) {
@@ -257,8 +255,8 @@ TEST(OutputLock, IsTakenByEveryCommandThatWrites) {
             const OutputLock lock(directory.path / writer.locked);
             const ProgramResult result = run_sherd(writer.command, directory.path);
             EXPECT_EQ(result.exit_code, 2) << writer.command[0] << result.err;
-            EXPECT_TRUE(has(result.err, writer.locked + "' is being written by '")) << result.err;
-            EXPECT_TRUE(has(result.err, std::to_string(getpid()))) << result.err;
+            EXPECT_TRUE(contains(result.err, writer.locked + "' is being written by '")) << result.err;
+            EXPECT_TRUE(contains(result.err, std::to_string(getpid()))) << result.err;
         }
         const ProgramResult result = run_sherd(writer.command, directory.path);
         EXPECT_EQ(result.exit_code, 0) << writer.command[0] << result.err;
@@ -283,7 +281,7 @@ TEST(OutputLock, ARunIsForcedOverARecordingThatIsBeingRead) {
         reading.frame(0);
         FAIL() << "the frame is of another run";
     } catch (const Error& error) {
-        EXPECT_TRUE(has(error.what(), "scene.h5' has been replaced by another run")) << error.what();
+        EXPECT_TRUE(contains(error.what(), "scene.h5' has been replaced by another run")) << error.what();
     }
 }
 

@@ -4,12 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/program/contains.h"
+
 namespace sherd::test {
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 SlurmJob job_of(std::vector<std::size_t> tasks) {
     return {.chunk = 100,
