@@ -15,7 +15,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// One column for each vertex: positions (m), velocities (m/s) or forces (N).
+/// A column for each vertex: positions (m), velocities (m/s) or forces (N).
 using Positions = Eigen::Matrix3Xd;
 
 /// The columns of `vertices` [N]: [3, N].

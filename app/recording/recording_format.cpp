@@ -73,7 +73,7 @@ struct Counts {
         }
         return {"rest/position", rest_vertices};
     }
-    /// What indices name, and the end of the numbers that exist.
+    /// Things that indices number, and the end of the numbers that exist.
     std::pair<const char*, std::size_t> named(Names names) const {
         switch (names) {
             case Names::vertices:

@@ -52,7 +52,7 @@ ElasticGradient::ElasticGradient(const Shell& shell, const ShellEnergies& energi
     : shell(shell),
       threads(std::move(threads)),
       cubic(cubic_hinges(energies.bending_part())),
-      membrane_part(options.membrane == MembraneModel::constant_strain) {
+      of_membrane(options.membrane == MembraneModel::constant_strain) {
     if (of_membrane && options.yields.empty()) coupled = energies.coupled_bending();
     if (coupled == nullptr && cubic == nullptr) others.push_back(&energies.bending_part());
     if (!of_membrane) others.push_back(&energies.membrane_part());

@@ -10,6 +10,7 @@
 #include "core/state_visitor.h"
 #include "fracture/mesh/crack_mesh.h"
 #include "fracture/mesh/mesh_state.h"
+#include "fracture/shell/rest_mesh.h"
 #include "meshops/attributes.h"
 
 namespace sherd {

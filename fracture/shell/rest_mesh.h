@@ -7,7 +7,6 @@
 
 #include "core/state_visitor.h"
 #include "core/vector.h"
-#include "fracture/mesh/crack_mesh.h"
 #include "fracture/mesh/mesh_state.h"
 #include "meshops/attributes.h"
 
@@ -28,7 +27,7 @@ struct RestMesh {
     std::vector<Index> face_parent;  ///< [F] face of the unfractured mesh that covers it, or most of it
     /// [F] 1 for faces that cover parts of several: not all corners lie in the parent; empty: there is none.
     std::vector<std::uint8_t> face_mixed = {};
-    SurfaceLook look = {};  ///< what is recorded of it, with vertices [R] and faces [F]
+    SurfaceLook look = {};  ///< recorded attributes of vertices [R] and faces [F]
     std::vector<std::array<Index, 3>> unfractured_faces;  ///< [F0] faces of the unfractured mesh
     Positions unfractured_position = {};                  ///< [3, V0] m, vertices of the unfractured mesh
 

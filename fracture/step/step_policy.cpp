@@ -29,7 +29,7 @@ Urgency StepPolicy::urgency(const StepResult& result) const {
 
 bool StepPolicy::retry(const Attempt& last, StepReport& report) {
     const bool has_failed = last.result.outcome == Outcome::failed;
-    if (has_failed && !(alternates && (is_explicit() || pace.is_held()))) return false;
+    if (has_failed && !(alternates && (is_explicit() || pace.must_be_implicit()))) return false;
     if (has_failed && is_explicit()) {
         if (is_fallback_tried) return false;
         switch_to_implicit();
@@ -37,13 +37,13 @@ bool StepPolicy::retry(const Attempt& last, StepReport& report) {
         report.urgency = last.urgency;
         return true;
     }
-    const bool is_held = pace.is_held();
-    if ((!can_switch_to_explicit() || is_held) && step_size.halve()) {
+    const bool must_be_implicit = pace.must_be_implicit();
+    if ((!can_switch_to_explicit() || must_be_implicit) && step_size.halve()) {
         ++report.halvings;
         return true;
     }
     if (!can_switch_to_explicit()) return false;
-    if (is_held) is_explicit_fallback = is_fallback_tried = true;
+    if (must_be_implicit) is_explicit_fallback = is_fallback_tried = true;
     switch_to_explicit();
     report.urgency = last.urgency;
     return true;

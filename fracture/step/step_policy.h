@@ -11,7 +11,7 @@ namespace sherd {
 
 /// An attempt at a step, as far as it came.
 struct Attempt {
-    StepResult result = {};           ///< of its last part
+    StepResult result = {};           ///< result of its last part
     Urgency urgency = Urgency::none;  ///< reason for another attempt
 
     explicit operator bool() const { return result && urgency == Urgency::none; }
@@ -65,7 +65,7 @@ class StepPolicy {
     void switch_to_implicit();
 
     bool alternates;        ///< SimulationOptions::alternates
-    int explicit_halvings;  ///< of the nominal step, to the length of explicit ones
+    int explicit_halvings;  ///< halvings of the nominal step, to the length of explicit ones
     Scheme scheme;
     /// Whether steps are explicit because implicit ones have failed, too: overlaps may then exceed those that
     /// barriers permit.

@@ -20,7 +20,7 @@ struct TriangleSheet {
     std::vector<std::array<std::int32_t, 3>> triangles;
     std::vector<std::int32_t> group;       ///< number of each triangle's group; empty: one group
     std::vector<std::string> group_names;  ///< name of each group
-    SurfaceLook look;                      ///< of points and triangles
+    SurfaceLook look;                      ///< look of points and triangles
     std::vector<double> quality;           ///< a scalar for each triangle (PLY); empty: none
     std::vector<Shading> shading;          ///< shading of each triangle; empty: all smooth
     std::vector<std::array<Eigen::Vector3d, 3>> normal;  ///< normals at triangle corners (OBJ); empty: none

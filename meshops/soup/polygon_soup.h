@@ -16,7 +16,7 @@ struct PolygonSoup {
     std::vector<Point> points;
     std::vector<std::vector<std::size_t>> polygons;     ///< corners, as indices into `points`
     std::vector<std::vector<Eigen::Vector2d>> texture;  ///< texture coordinates of each corner; empty: none
-    SurfaceLook look;                       ///< of points and polygons, without texture coordinates
+    SurfaceLook look;                       ///< look of points and polygons, without texture coordinates
     std::vector<std::string> warnings;      ///< sentences on missing files and skipped content
     std::vector<std::size_t> point_line;    ///< line of each point, from 1; empty if the format has no lines
     std::vector<std::size_t> polygon_line;  ///< line of each polygon, likewise

@@ -23,7 +23,7 @@ std::optional<Eigen::Vector3d> corner_weights(const ReplacedFace& face, const Pa
     return weights;
 }
 
-/// One change of a mesh, for attributes of faces.
+/// A change of a mesh, for attributes of faces.
 class FaceInheritance {
   public:
     FaceInheritance(const Mesh& mesh, const std::map<Face, ReplacedFace>& old, const TopologyChange& change)
@@ -70,7 +70,7 @@ class FaceInheritance {
 
     const Mesh& mesh;
     const std::map<Face, ReplacedFace>& old;
-    std::map<Vertex, Parents> parents;  ///< of inserted and moved vertices
+    std::map<Vertex, Parents> parents;  ///< parents of inserted and moved vertices
 };
 
 /// Sets values after all of them have been computed from those before the change.

@@ -111,7 +111,7 @@ double common_area(const PlaneTriangle& a, const PlaneTriangle& b) {
     return std::max(doubled, 0.0) / 2;
 }
 
-/// Which fraction of each old triangle each new one covers, where both cover the same polygon: [new, old],
+/// Fraction of each old triangle that each new one covers, where both cover the same polygon: [new, old],
 /// the sum of each column is 1. Where round-off or curvature makes the two polygons differ, the fractions are
 /// scaled to that sum.
 Eigen::MatrixXd covered_fractions(std::span<const PlaneTriangle> now, std::span<const PlaneTriangle> old) {

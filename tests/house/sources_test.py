@@ -1,9 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks the project's rules that no compiler checks: includes between folders, licence lines, lengths of files."""
+"""Checks the project's rules that no compiler checks: includes between folders, licence lines, lengths of files, sizes
+of folders, beginnings of comments."""
 import pathlib
 import re
+import sys
 import tempfile
 import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import counts  # noqa: E402
 
 TOP = pathlib.Path(__file__).resolve().parents[2]
 # Top folders from which a top folder may include, besides itself. tests/NAME may include what NAME may, and
@@ -25,6 +30,7 @@ PRINTS = re.compile(r"fmt::print\((?!out,)|std::f?puts|std::f?printf|std::cout|s
 MAY_PRINT = ("app/messages", "app/examples")
 LICENCE = "SPDX-License-Identifier: GPL-3.0-or-later"
 MOST_LINES = 600
+MOST_SOURCES = 30
 
 
 def sources(top):
@@ -137,6 +143,17 @@ def types_of_one_name(top):
     return found
 
 
+def large_folders(by_folder):
+    return [f"{folder}/ has {len(found.lengths)} sources; past {MOST_SOURCES} it should have rooms"
+            for folder, found in by_folder.items() if len(found.lengths) > MOST_SOURCES]
+
+
+def unclear_comments(by_folder):
+    """Returns a line for each comment whose first words lack a noun."""
+    return [f"{comment}: should begin with the noun that it is about"
+            for found in by_folder.values() for comment in found.pronouns]
+
+
 def violations(top):
     """Returns a line for each violation of a rule below the folder `top`."""
     found = []
@@ -153,7 +170,8 @@ def violations(top):
         found.extend(circles(included_by(top, floor, room_of)))
     for folder in FILES_WITHOUT_CIRCLES:
         found.extend(circles(included_by(top, folder, stem_of)))
-    return found + types_of_one_name(top) + not_apart(top)
+    by_folder = counts.counts_by_folder(top)
+    return (found + types_of_one_name(top) + not_apart(top) + large_folders(by_folder) + unclear_comments(by_folder))
 
 
 class House(unittest.TestCase):
@@ -220,6 +238,16 @@ class House(unittest.TestCase):
         self.assertEqual(self.found_in(core__b=one, meshops__b="namespace sherd {\nclass A;\n}"), [])
         self.assertEqual(self.found_in(core__b=one, meshops__b="namespace sherd::test {\nstruct A {\n};\n}"), [])
         self.assertEqual(len(self.found_in(core__b=one, meshops__b="namespace sherd {\nstruct A : B {\n};\n}")), 1)
+
+    def test_large_folders_are_found(self):
+        house = {f"core__b{number}": "" for number in range(MOST_SOURCES - 1)}
+        self.assertEqual(self.found_in(**house), [])
+        self.assertEqual(len(self.found_in(**house, core__c="")), 1)
+
+    def test_comments_without_a_noun_are_found(self):
+        self.assertEqual(self.found_in(core__b="int a;  // number of cracks\n/// Returns it.\n"), [])
+        for comment in ("// of cracks", "///< what is broken", "/// Those of the sheet.", "/** the same for faces */"):
+            self.assertEqual(len(self.found_in(core__b=f"int a;  {comment}")), 1, comment)
 
     def test_long_and_unlicensed_files_are_found(self):
         self.assertEqual(len(self.found_in(core__b="\n" * MOST_LINES)), 1)

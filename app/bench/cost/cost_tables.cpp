@@ -21,7 +21,7 @@
 namespace sherd {
 namespace {
 
-/// What explicit steps cost, and judging what breaks at the end of each.
+/// Cost of explicit steps, and of the evaluation of breaking at the end of each.
 struct ExplicitCost {
     std::size_t faces = 0;
     double substeps = 0;  ///< in a step
@@ -33,9 +33,9 @@ struct ExplicitCost {
 
 constexpr int steps_before = 10;  // until the disc is in contact
 
-constexpr int steps = 60;  // of which the fastest counts
+constexpr int steps = 60;  // only the fastest counts
 
-/// What coupled hinges read and write in a substep: 400 bytes for each face, 200 for each of its hinges and
+/// Memory that coupled hinges read and write in a substep: 400 bytes a face, 200 for each of its hinges and
 /// 360 for each vertex.
 constexpr std::size_t bytes_a_face = 400 + 200 * 3 / 2 + 360 / 2;
 

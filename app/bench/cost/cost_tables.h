@@ -13,15 +13,15 @@ namespace sherd {
 /// Lengths of edges that give the hemisphere with a hole about 400, 1,600 and 6,400 vertices.
 inline constexpr std::array<double, 3> hemisphere_edges{0.66, 0.325, 0.162};
 
-/// What an iteration costs on the hemisphere, beside the first of the models. Prints a table as it goes, if
+/// Cost of an iteration on the hemisphere, relative to the first of the models. Prints a table as it goes, if
 /// `print`. Returns an array with an object for each mesh and model.
 Json iteration_costs(const std::vector<std::string>& models, const std::vector<double>& edges, bool print);
 
-/// What explicit steps cost with each model. As iteration_costs().
+/// Cost of explicit steps with each model. Arguments and result are as in iteration_costs().
 Json explicit_costs(const std::vector<std::string>& models, bool print);
 
-/// Of each case, what mesh each model needs for the error that coupled hinges have on the coarse mesh, and
-/// what that costs.
+/// For each case, the mesh that each model needs for the error that coupled hinges have on the coarse mesh,
+/// and its cost.
 Json costs_at_equal_error(const std::vector<ShellCase>& cases, const std::vector<std::string>& models,
                           bool print);
 

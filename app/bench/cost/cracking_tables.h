@@ -8,8 +8,8 @@
 
 namespace sherd {
 
-/// What steps of plate_drop cost in which something breaks, beside those in which nothing does, with each
-/// choice of a solver that has `only` in its name. As paper_figure().
+/// Cost of the steps of plate_drop in which something breaks, relative to the others, with each solver choice
+/// that has `only` in its name. Result as in paper_figure().
 std::pair<Json, std::string> cracking(const std::string& only, bool quick, bool print);
 
 }  // namespace sherd

@@ -14,10 +14,10 @@
 namespace sherd {
 namespace {
 
-constexpr int middle = 2;  // of five steps
+constexpr int middle = 2;  // index among five steps
 
 double edge_length(const PaperCase& one) {
-    // Of a mesh of equilateral triangles, which has two for each vertex.
+    // A mesh of equilateral triangles has two for each vertex.
     return std::sqrt(one.scene.area / (0.5 * std::sqrt(3) * one.side * one.side));
 }
 

@@ -24,7 +24,7 @@ struct PaperScene {
 /// Orthotropic flags, falling cylinders, falling bowl.
 std::vector<PaperScene> paper_scenes();
 
-/// One measurement: a scene, a step and a mesh.
+/// A measurement: a scene, a step and a mesh.
 struct PaperCase {
     PaperScene scene;
     double step;  ///< s
@@ -32,14 +32,15 @@ struct PaperCase {
     int laps;     ///< steps that are measured
 };
 
-/// Those of the paper's figure: five steps on one mesh, and five meshes with the middle step, of each scene.
+/// Measurements of the paper's figure: for each scene five steps on one mesh, and five meshes with the middle
+/// step.
 /// quick: fewer and smaller ones; most_vertices: of the largest mesh.
 std::vector<PaperCase> paper_cases(bool quick, double most_vertices);
 
 /// How one choice did in one case.
 struct PaperResult {
     RaceResult race;
-    double ratio = 0;  ///< of simulated time in a second, to the choice beside which it stands; 0: unknown
+    double ratio = 0;  ///< simulated time per second over that of the choice compared with; 0: unknown
     /// Mean lengths of edges, the largest distance of a vertex from where it is with the first choice of the
     /// same energies; NaN where steps are not the same, or one of both has not finished.
     double difference = 0;

@@ -61,7 +61,7 @@ void print_row(const Done& done, const std::vector<SolverChoice>& choices) {
     std::fflush(stdout);
 }
 
-/// What a choice does in all cases together.
+/// Results of a choice in all cases together.
 struct Summary {
     std::vector<double> ratios, of_first;  ///< beside what it stands beside, and the first choice
     std::vector<double> differences;

@@ -13,13 +13,13 @@
 
 namespace sherd {
 
-/// What some steps of a simulation cost, and what they did.
+/// Cost of some steps of a simulation, and their work.
 struct StepCost {
-    double seconds = 0;    ///< of processor time, of all threads
+    double seconds = 0;    ///< processor time of all threads
     double simulated = 0;  ///< s
     std::int64_t steps = 0, iterations = 0, factorizations = 0, analyses = 0;
-    std::int64_t stages = 0;    ///< of breaking
-    std::int64_t halvings = 0;  ///< of steps that could not be solved
+    std::int64_t stages = 0;    ///< stages of breaking
+    std::int64_t halvings = 0;  ///< halvings of steps that could not be solved
     std::int64_t contacts = 0;  ///< vertices in contact with obstacles or bodies, a sum over the steps
 
     StepCost& operator+=(const StepCost& more);
@@ -54,7 +54,7 @@ class MeasuredRun {
 struct RaceOptions {
     double step = 1e-4;    ///< s, of a lap
     int settling = 2;      ///< laps that are not measured: patterns, first factors, the change of the step
-    int laps = 10;         ///< that are
+    int laps = 10;         ///< measured laps
     double allowance = 6;  ///< times the first one's processor time, with which one is out of the race
 };
 
@@ -63,13 +63,13 @@ struct RaceResult {
     std::vector<StepCost> laps;
     ShellMotion end;
     std::size_t vertices = 0, faces = 0;  ///< at the start
-    std::int64_t halvings = 0;            ///< of all steps, those before the laps too
+    std::int64_t halvings = 0;            ///< in all steps, those before the laps too
     double memory = 0;                    ///< bytes, the most that it took until its laps were measured
     bool is_out = false;  ///< took too long: its laps are fewer, and the last one is a part of one
     std::string failure;  ///< why it could not go on; empty: it could
 
     bool has_finished() const { return !is_out && failure.empty(); }
-    StepCost cost() const;  ///< of all laps
+    StepCost cost() const;  ///< cost of all laps
 };
 
 /// Lets simulations of these scenes, which differ in how they are solved, make the same laps of simulated

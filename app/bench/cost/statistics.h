@@ -8,7 +8,7 @@
 
 namespace sherd {
 
-/// Of at least one number.
+/// Median of at least one number.
 double median(std::vector<double> numbers);
 
 /// The exponent p of the power law y = c x^p that fits points (x, y) of positive numbers best, by least

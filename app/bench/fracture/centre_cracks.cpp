@@ -12,7 +12,7 @@
 namespace sherd {
 namespace {
 
-/// What theory says of the scene, at the load 1.
+/// Prediction of theory for the scene, at the load 1.
 struct CentreTheory {
     ModePair factors;  ///< Pa m^0.5; of a crack that is turned counterclockwise
     double turn;       ///< rad, clockwise

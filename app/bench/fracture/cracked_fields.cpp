@@ -50,7 +50,7 @@ Eigen::Matrix2d PulledSheet::stress(const Vector2d& at) const {
 
 namespace {
 
-/// Of the deflection w = Re((conj z - z) phi + integrals of phi and omega): derivatives of phi and omega, for
+/// Derivatives of phi and omega in the deflection w = Re((conj z - z) phi + integrals of phi and omega), for
 /// a plate of rigidity 1 with m_yy = 1 far away.
 struct PlatePotentials {
     Complex phi, slope, omega;
@@ -72,7 +72,7 @@ struct PlatePotentials {
 Eigen::Matrix2d CrackedPlate::moments(const Vector2d& at) const {
     const Complex z(at.x(), at.y());
     const PlatePotentials of(z, half_length, poisson);
-    const double sum = 4 * of.phi.real();  // of the curvatures
+    const double sum = 4 * of.phi.real();  // sum of the curvatures
     const Complex rest =                   // w_xx - w_yy + 2 i w_xy
         2.0 * (std::conj(of.omega) - std::conj(of.phi) + (z - std::conj(z)) * std::conj(of.slope));
     Eigen::Matrix2d curvature;

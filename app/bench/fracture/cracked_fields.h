@@ -7,7 +7,7 @@
 
 namespace sherd {
 
-// What infinite sheets with a straight crack about the origin bear far from it and near it (Muskhelishvili,
+// Stresses of infinite sheets with a straight crack about the origin, far and near (Muskhelishvili,
 // Some Basic Problems of the Mathematical Theory of Elasticity, 1953, and the same of Kirchhoff's plates).
 
 /// A sheet that is pulled along y by the stress 1.
@@ -21,7 +21,7 @@ class PulledSheet {
 
   private:
     double half_length, angle;
-    std::complex<double> traction;  ///< of the crack's line far away, in the crack's frame
+    std::complex<double> traction;  ///< on the crack's line far away, in the crack's frame
     double across, shear_stress, along;
 };
 

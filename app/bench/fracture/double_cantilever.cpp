@@ -11,7 +11,7 @@ constexpr double end_correction = 0.673;  // arm heights, Foote and Buchwald
 
 /// The strip of the scene.
 struct Cantilever {
-    double height, young, toughness, thickness;  ///< of an arm
+    double height, young, toughness, thickness;  ///< values of an arm
 
     explicit Cantilever(const Scene& scene)
         : height(outline_corners(scene)[1].y()),

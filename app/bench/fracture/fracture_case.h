@@ -14,7 +14,7 @@ namespace sherd {
 /// A number of an experiment.
 struct FractureNumber {
     std::string name;   ///< "K_I / theory"
-    double theory = 1;  ///< what it should be
+    double theory = 1;  ///< expected value
     double bound = 0;   ///< by which it may be off
 };
 
@@ -31,7 +31,7 @@ struct FractureCase {
     std::string name;
     std::string scene;    ///< name of the shipped one
     std::string variant;  ///< empty: it has none
-    std::string source;   ///< of the theory
+    std::string source;   ///< source of the theory
     double unit;          ///< m, in which tables have the length of edges
     std::string in_units;
     std::array<double, 3> edges;  ///< m: coarse, medium, fine

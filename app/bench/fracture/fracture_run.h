@@ -6,9 +6,9 @@
 namespace sherd {
 
 struct FractureRun {
-    std::size_t faces = 0;       ///< of the mesh before anything grew
-    double seconds = 0;          ///< of processor time
-    std::vector<double> values;  ///< of the case's numbers; none: nothing grew, or it failed before
+    std::size_t faces = 0;       ///< faces of the mesh before anything grew
+    double seconds = 0;          ///< processor time
+    std::vector<double> values;  ///< the case's numbers; none: nothing grew, or it failed before
     std::vector<Vector2d> path;  ///< m, ends of the edges by which the crack grew, from its tip on
     std::string failure;         ///< why it was not computed to its end; empty: it was
 };

@@ -23,7 +23,7 @@ struct GrownEdge {
 /// The edges that have failed in the steps of a run, each seen from the tip that it is nearer to.
 std::vector<GrownEdge> grown_edges(const FractureHistory& run);
 
-/// What tips bore in the last step.
+/// Loads of the tips in the last step.
 std::vector<TipRecord> last_tips(const FractureHistory& run);
 
 /// The lower and the upper corner of the first sheet's outline, m.

@@ -7,7 +7,7 @@
 namespace sherd {
 namespace {
 
-constexpr int degree = 10;  // of the smooth curve: on less of them the path of fine meshes does not lie
+constexpr int degree = 10;  // degree of the smooth curve: a lower one does not fit the path of fine meshes
 
 /// y as a polynomial of x in the least squares.
 class SmoothCurve {

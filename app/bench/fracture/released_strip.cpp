@@ -55,7 +55,7 @@ double largest_curvature(const GaugeReading& gauge) {
     return 0.5 * (k[0] + k[1] + std::hypot(k[0] - k[1], k[2]));
 }
 
-/// What gauge `g` shows at a time (s), between the ends of steps.
+/// Curvature at gauge `g` at a time (s), interpolated between the ends of steps.
 double curvature_at(const std::vector<StepReport>& steps, std::size_t g, double time) {
     const auto after = std::ranges::lower_bound(steps, time, {}, &StepReport::time);
     if (after == steps.begin()) return largest_curvature(after->gauges[g]);

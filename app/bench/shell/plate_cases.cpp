@@ -50,8 +50,8 @@ Vector2d elastica_tip(double q) {
 
 constexpr double pi = std::numbers::pi;
 
-/// Of omega a^2 sqrt(rho t / D), converged Ritz values, up to 0.9 % under the upper bounds of Leissa, J.
-/// Sound Vib. 31 (1973), 257-293 (13.489, 19.789, 24.432, 35.024, 35.024, 61.526).
+/// Values of omega a^2 sqrt(rho t / D): converged Ritz values, up to 0.9 % under the upper bounds of Leissa,
+/// J. Sound Vib. 31 (1973), 257-293 (13.489, 19.789, 24.432, 35.024, 35.024, 61.526).
 ShellCase free_square() {
     std::vector<double> frequencies;
     for (const double omega : {13.468, 19.596, 24.270, 34.801, 34.801, 61.093})
@@ -89,7 +89,7 @@ ShellCase pressed_square(const std::string& name, const std::string& support, do
             .source = source};
 }
 
-/// What a moment bends a strip along itself, over the rigidity along the first axis: S11 at an angle to it.
+/// Compliance S11 of a strip at an angle to the first axis, times the rigidity along that axis.
 double compliance(double degrees, double young1, double shear) {
     const double w = degrees * pi / 180, c = std::pow(std::cos(w), 2), s = std::pow(std::sin(w), 2);
     return c * c + s * s / young1 + s * c / shear;
@@ -206,7 +206,7 @@ Eigen::Matrix2d ClampedRing::moments(const Vector2d& p) const {
     return -((1 - plate_poisson) * second + plate_poisson * second.trace() * Eigen::Matrix2d::Identity());
 }
 
-/// Of faces away from the rims.
+/// Results on faces away from the rims.
 std::vector<ShellResult> measure_ring(const ClampedRing& ring, const Simulation& simulation,
                                       const StepReport&) {
     const Shell& shell = simulation.shell().mechanics();

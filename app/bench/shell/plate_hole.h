@@ -18,9 +18,9 @@ class PlateHole {
 
   private:
     double poisson;
-    double axial;          ///< of ln r in w
-    double square;         ///< of -r^2 cos 2 angle
-    double even, inverse;  ///< of cos 2 angle, and over r^2
+    double axial;          ///< factor of ln r in w
+    double square;         ///< factor of -r^2 cos 2 angle
+    double even, inverse;  ///< factors of cos 2 angle, and of that over r^2
 };
 
 }  // namespace sherd

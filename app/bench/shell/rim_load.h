@@ -5,7 +5,7 @@
 
 namespace sherd {
 
-// What acts on a side of the outline of a sheet in the plane z = 0 that goes on beyond it. The outline is
+// Loads on a side of the outline of a sheet in the plane z = 0 that continues beyond it. The outline is
 // seen from the origin.
 
 /// stress: N/m, over the thickness.

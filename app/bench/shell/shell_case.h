@@ -38,7 +38,7 @@ struct ShellCase {
     std::string name;
     std::string sheet;   ///< TOML of the sheet, with MESH for its mesh's edge_length and structured
     std::string rest;    ///< TOML of loads and gauges, and of further sheets
-    double step = 0.05;  ///< of load factor, or of path
+    double step = 0.05;  ///< step of the load factor, or of the path
     std::vector<ShellReference> references = {};
     std::vector<ShellLimit> limits =
         {};  ///< at most one: it is followed by arc length, its gauge is the first
@@ -51,13 +51,13 @@ struct ShellCase {
     /// Measures at the end what no gauge shows.
     std::function<std::vector<ShellResult>(const Simulation&, const StepReport&)> measure = {};
     std::string measured = {};  ///< names of what it measures
-    std::string source = {};    ///< what the references are and where they come from; empty: Sze, Liu, Lo
+    std::string source = {};    ///< description and source of the references; empty: Sze, Liu, Lo
 };
 
 /// Measures the elastic energy of the last step beside this one, J.
 std::function<std::vector<ShellResult>(const Simulation&, const StepReport&)> energy_beside(double reference);
 
-/// What a scene of the case says: its mesh, and how its hinges bend.
+/// A scene of the case: its mesh, and the bending model of its hinges.
 struct ShellVariant {
     double edge = 0;
     bool structured = false;

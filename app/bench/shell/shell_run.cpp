@@ -63,7 +63,7 @@ std::pair<double, double> limit_near(const std::vector<Station>& path, std::size
     if (i == 0 || i + 1 >= path.size()) return {path[i].load, path[i].gauges[0].x()};
     const double before = path[i - 1].load, here = path[i].load, after = path[i + 1].load;
     const double bend = before - 2 * here + after;
-    const double shift = bend == 0 ? 0 : 0.5 * (before - after) / bend;  // of a step
+    const double shift = bend == 0 ? 0 : 0.5 * (before - after) / bend;  // shares of a step
     const Vector3d &a = path[i - 1].gauges[0], &b = path[i].gauges[0], &c = path[i + 1].gauges[0];
     return {here - 0.25 * (before - after) * shift,
             b.x() + 0.5 * shift * (c.x() - a.x()) + 0.5 * shift * shift * (a.x() - 2 * b.x() + c.x())};

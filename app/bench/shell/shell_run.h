@@ -12,7 +12,7 @@ namespace sherd {
 struct ShellRun {
     std::size_t faces = 0;
     std::int64_t iterations = 0;
-    double seconds = 0;  ///< of processor time
+    double seconds = 0;  ///< processor time
     std::vector<ShellResult> results;
     std::string failure;  ///< why there are none, or too few; empty: all is well
 

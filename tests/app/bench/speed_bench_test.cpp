@@ -62,7 +62,7 @@ TEST(SolverChoices, AreReadAndStandBesideEarlierOnes) {
 }
 
 TEST(Race, IsOfTheSameLapsForAll) {
-    const std::string method = "solver.method=newton";  // one factorization for each iteration
+    const std::string method = "solver.method=newton";  // a factorization for each iteration
     const std::vector<Scene> scenes{small_plate({"solver.bending=cubic", method}),
                                     small_plate({"solver.bending=cubic", method}),
                                     small_plate({"solver.bending=coupled", method})};

@@ -101,7 +101,7 @@ TEST(QuasiNewton, KeepsAFactorWhileASheetTurns) {
     options.step = 1e-3;
     options.tolerance = 1e-8;
     options.contact.sheets = false;
-    const int steps = 100;  // one turn
+    const int steps = 100;  // a full turn
     EXPECT_LT(after(steps, spinning_plate(), options, Method::quasi_newton).factorizations, steps / 4);
 }
 

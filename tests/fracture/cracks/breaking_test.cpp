@@ -45,7 +45,7 @@ std::vector<Edge> sorted(std::vector<Edge> edges) {
 // paper's rule breaks them all.
 TEST_F(Breaking, PicksTheMostOverloadedWithinTwoRings) {
     strain_at(15, 28) = 0.3;   // worst of the left half
-    strain_at(16, 29) = 0.2;   // one ring away
+    strain_at(16, 29) = 0.2;   // a ring away
     strain_at(22, 35) = 0.15;  // far away
     strain_at(36, 49) = 0.05;  // not overloaded
     EXPECT_EQ(most_overloaded_edges(*sheet, measures), sorted({edge_at(15, 28), edge_at(22, 35)}));

@@ -42,7 +42,7 @@ TEST(Fragments, KeepTheirNumbersWhileOthersSplit) {
 
     cracks.fail(column_edges(whole, 10, 2, 4));  // 4 columns off the left
     fragments.update(cracks.mesh(), areas);
-    cracks.fail(column_edges(whole, 10, 2, 3));  // one column off these four
+    cracks.fail(column_edges(whole, 10, 2, 3));  // a column off these four
     fragments.update(cracks.mesh(), areas);
     ASSERT_EQ(fragments.count(), 3);
     EXPECT_EQ(fragments.parents()[1], 0);

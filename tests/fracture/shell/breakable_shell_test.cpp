@@ -100,7 +100,7 @@ TEST(BreakableShell, HingesAndTrianglesHaveTheStiffnessOfTheirAxis) {
     for (const HingeStencil& stencil : sheet.mechanics().hinges) {
         const HingePositions rest = columns(sheet.mechanics().rest, stencil.vertices);
         const Vector3d edge = rest.col(1) - rest.col(0);
-        const bool is_iron = &stencil == sheet.mechanics().hinges.data();  // one edge between two faces
+        const bool is_iron = &stencil == sheet.mechanics().hinges.data();  // an edge between two faces
         const double expected = is_iron
                                     ? hinge_stiffness(iron.material)
                                     : hinge_stiffness(cloth.material, angle - std::atan2(edge.y(), edge.x()));
