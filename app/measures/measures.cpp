@@ -152,6 +152,64 @@ std::vector<PeakForce> peak_forces(const std::vector<RecordedSupport>& supports,
     return peaks;
 }
 
+using Number = std::optional<double>;
+
+/// Measure of the heaviest fragment; none without fragments.
+template <class Value>
+auto of_heaviest(Value value) {
+    return [value](const Measures& measures) {
+        return measures.fragments.empty() ? Number() : Number(value(measures.fragments.front()));
+    };
+}
+
+template <class Value>
+auto of_law(Value value) {
+    return [value](const Measures& measures) {
+        return measures.mass_law ? Number(value(*measures.mass_law)) : Number();
+    };
+}
+
+template <class Value>
+auto of_first_crack(Value value) {
+    return [value](const Measures& measures) {
+        return measures.first_crack ? Number(value(*measures.first_crack)) : Number();
+    };
+}
+
+template <class Value>
+auto of_directions(Value value) {
+    return [value](const Measures& measures) {
+        return measures.directions.length > 0 ? Number(value(measures.directions)) : Number();
+    };
+}
+
+template <class Value>
+auto of_centre(Value value) {
+    return [value](const Measures& measures) {
+        return measures.about ? Number(value(*measures.about)) : Number();
+    };
+}
+
+template <class Value>
+auto of_tips(Value value) {
+    return [value](const Measures& measures) {
+        return measures.tip_speeds ? Number(value(*measures.tip_speeds)) : Number();
+    };
+}
+
+Number median_mass(const Measures& measures) {
+    const auto& fragments = measures.fragments;  // sorted by mass
+    if (fragments.empty()) return std::nullopt;
+    const std::size_t half = fragments.size() / 2;
+    const double upper = fragments[half].info.mass;
+    return fragments.size() % 2 == 1 ? upper : (upper + fragments[half - 1].info.mass) / 2;
+}
+
+Number largest_force(const Measures& measures) {
+    if (measures.peak_forces.empty()) return std::nullopt;
+    return std::ranges::max(measures.peak_forces, {}, &PeakForce::force).force;
+}
+
 }  // namespace
 
 std::optional<double> Measures::energy_per_area() const {
@@ -180,6 +238,77 @@ Measures measures_of(const Recording& recording, double over, const CrackCentre&
         measures.about = cracks_about(cracks, frame, *place, centre.radii);
     measures.peak_forces = peak_forces(header.supports, steps);
     return measures;
+}
+
+const std::vector<RunMeasure>& all_measures() {
+    using F = const MeasuredFragment&;
+    using Law = const PowerLaw&;
+    using First = const FirstFailure&;
+    using Directions = const CrackDirections&;
+    using About = const CracksAbout&;
+    using Tips = const TipSpeeds&;
+    constexpr bool grouped = true;
+    static const std::vector<RunMeasure> all{
+        {"fragments", "", "number of fragments heavier than `over`",
+         [](const Measures& m) { return Number(m.fragments.size()); }, grouped},
+        {"fragments_below", "", "number of lighter fragments",
+         [](const Measures& m) { return Number(m.fragments_below); }, grouped},
+        {"mass_below", "kg", "total mass of lighter fragments",
+         [](const Measures& m) { return Number(m.mass_below); }, grouped},
+        {"largest.mass", "kg", "mass of the heaviest fragment", of_heaviest([](F f) { return f.info.mass; }),
+         grouped},
+        {"largest.area", "m^2", "its area at rest", of_heaviest([](F f) { return f.info.area; }), grouped},
+        {"largest.length", "m", "its length at rest", of_heaviest([](F f) { return f.extent.length; }),
+         grouped},
+        {"largest.width", "m", "its width at rest", of_heaviest([](F f) { return f.extent.width; }), grouped},
+        {"largest.aspect_ratio", "", "length over width",
+         of_heaviest([](F f) { return f.extent.aspect_ratio(); }), grouped},
+        {"median_mass", "kg", "median of the fragments' masses", median_mass},
+        {"mass_law.exponent", "", "b of N(> m) ~ m^-b", of_law([](Law law) { return law.exponent; }),
+         grouped},
+        {"mass_law.lower", "", "lower end of its interval", of_law([](Law law) { return law.interval[0]; }),
+         grouped},
+        {"mass_law.upper", "", "upper end of its interval", of_law([](Law law) { return law.interval[1]; }),
+         grouped},
+        {"crack_length", "m", "length of edges that failed, at rest",
+         [](const Measures& m) { return Number(m.cracks.length); }, grouped},
+        {"crack_area", "m^2", "area of edges that failed: length times thickness",
+         [](const Measures& m) { return Number(m.cracks.area); }, grouped},
+        {"tortuosity", "", "tortuosity of cracks: path over chord",
+         [](const Measures& m) { return m.tortuosity; }, grouped},
+        {"crack_direction.mean", "deg", "mean direction of cracks against the material's axis",
+         of_directions([](Directions d) { return d.mean; }), grouped},
+        {"crack_direction.resultant", "", "alignment of cracks: 1 all parallel, 0 in all directions",
+         of_directions([](Directions d) { return d.resultant; }), grouped},
+        {"branchings", "", "places where cracks branch or meet",
+         [](const Measures& m) { return Number(m.junctions.size()); }, grouped},
+        {"branching_angle", "deg", "mean of the smallest angles at branchings",
+         [](const Measures& m) { return branching_angle(m.junctions); }, grouped},
+        {"radial_cracks", "", "number of cracks about `about`, median over circles",
+         of_centre([](About about) { return about.radial(); }), grouped},
+        {"ring_cracks", "", "number of cracks about `about`, median over rays",
+         of_centre([](About about) { return about.ring(); }), grouped},
+        {"tip_speed.mean", "m/s", "mean speed of crack tips over time",
+         of_tips([](Tips tips) { return tips.mean(); }), grouped},
+        {"tip_speed.largest", "m/s", "speed of the fastest tip",
+         of_tips([](Tips tips) { return tips.fastest().fastest; }), grouped},
+        {"lost_to_cracks", "J", "energy lost to cracks",
+         [](const Measures& m) { return Number(m.lost_to_cracks); }, grouped},
+        {"energy_per_area", "J/m^2", "energy lost to cracks over crack_area", &Measures::energy_per_area,
+         grouped},
+        {"first_crack.time", "s", "time at which the first edge failed",
+         of_first_crack([](First f) { return f.time; }), grouped},
+        {"first_crack.load", "", "factor of all loads at this time",
+         of_first_crack([](First f) { return f.load; }), grouped},
+        {"first_crack.x", "m", "x of this edge at rest",
+         of_first_crack([](First f) { return f.position.x(); }), grouped},
+        {"first_crack.y", "m", "y of this edge at rest",
+         of_first_crack([](First f) { return f.position.y(); }), grouped},
+        {"first_crack.z", "m", "z of this edge at rest",
+         of_first_crack([](First f) { return f.position.z(); }), grouped},
+        {"peak_force", "N", "the largest reaction of all supports and obstacles", largest_force, grouped},
+    };
+    return all;
 }
 
 }  // namespace sherd

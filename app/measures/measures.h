@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -64,6 +65,20 @@ struct Measures {
     /// Energy lost per area of cracks, J/m^2; none without a broken area, or without recorded thickness.
     std::optional<double> energy_per_area() const;
 };
+
+/// A number of a run, by the name that it has in studies, their tables, and, if it is not grouped, in the
+/// output of `sherd info --measures`.
+struct RunMeasure {
+    std::string name, unit;
+    std::string meaning;
+    /// None if the run has none, as the time of the first crack of a plate that did not break.
+    std::function<std::optional<double>(const Measures&)> value;
+    bool grouped =
+        false;  ///< whether measures_json() and measures_text() have it in an object or a row of several
+};
+
+/// Returns the measures, without the peak forces of single supports and obstacles.
+const std::vector<RunMeasure>& all_measures();
 
 /// Point about which radial and ring cracks are counted: `point`, or the first_contact() of an obstacle, or,
 /// with neither, the first crack.

@@ -112,6 +112,8 @@ std::string measures_json(const Measures& measures) {
                                        {"force", force},
                                        {"time", time},
                                        {"history", history}});
+    for (const RunMeasure& measure : all_measures())
+        if (!measure.grouped) json[measure.name] = number_json(measure.value(measures));
     return json.dump(2) + "\n";
 }
 

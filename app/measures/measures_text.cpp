@@ -83,6 +83,12 @@ std::string measures_text(const Measures& measures, const std::string& time_unit
                            name, last, largest, when(time));
     for (const auto& [support, force, time, history] : measures.peak_forces)
         fmt::format_to(out, "peak force   {}: {:.5g} N at {}\n", support.name, force, when(time));
+    for (const RunMeasure& measure : all_measures()) {
+        if (measure.grouped) continue;
+        if (const std::optional<double> value = measure.value(measures))
+            fmt::format_to(out, "{:<12} {:.5g} {}: {}\n", measure.name, *value, measure.unit,
+                           measure.meaning);
+    }
     return text;
 }
 

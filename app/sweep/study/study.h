@@ -43,7 +43,7 @@ struct Study {
     std::int64_t seed = 1;     ///< seed of drawn values
     std::int64_t repeats = 1;  ///< rows of each point, with consecutive seeds of the scene
     std::vector<StudyParameter> parameters;
-    std::vector<std::string> measures;  ///< names of study_measures(); empty: all
+    std::vector<std::string> measures;  ///< names of all_measures(); empty: all
     double over = 0;                    ///< kg, largest mass of fragments that do not count
     CrackCentre centre;                 ///< point about which radial and ring cracks are counted
     std::string python;                 ///< file with measure(recording); empty: none

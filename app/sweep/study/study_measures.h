@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <map>
-#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "app/measures/measures.h"
 
@@ -15,17 +12,6 @@ namespace sherd {
 
 /// Whether tables have a column of this name, apart from parameters and keys of Python files.
 bool is_study_column(std::string_view name);
-
-/// A number of a run, by the name that it has in studies and in their tables.
-struct StudyMeasure {
-    std::string name, unit;
-    std::string meaning;
-    /// None if the run has none, as the time of the first crack of a plate that did not break.
-    std::function<std::optional<double>(const Measures&)> value;
-};
-
-/// Returns all measures but those of single supports and obstacles.
-const std::vector<StudyMeasure>& study_measures();
 
 /// Error for an unknown measure, with the nearest known name; "" if the name is known. "peak_force.NAME" and
 /// "peak_force_time.NAME" are known for any support or obstacle.

@@ -37,7 +37,7 @@ std::string number_cell(double value) {
 std::vector<std::string> measure_names(const Study& study, const StudyRows& rows, const RowResults& results) {
     if (!study.measures.empty()) return study.measures;
     std::vector<std::string> names;
-    for (const StudyMeasure& measure : study_measures()) names.push_back(measure.name);
+    for (const RunMeasure& measure : all_measures()) names.push_back(measure.name);
     const std::size_t fixed = names.size();
     for (const StudyRow& row : rows.rows)
         if (const auto found = results.find(row.identity); found != results.end())

@@ -12,6 +12,7 @@
 #include "meshops/error.h"
 #include "meshops/generate/generate.h"
 #include "meshops/intersect/self_intersections.h"
+#include "meshops/mesh_measures.h"
 #include "meshops/random.h"
 #include "meshops/topology/components.h"
 #include "tests/support/mesh/mesh_quality.h"

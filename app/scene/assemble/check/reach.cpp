@@ -14,7 +14,7 @@
 namespace sherd {
 namespace {
 
-using Box = Eigen::AlignedBox3d;
+using Bounds = Eigen::AlignedBox3d;
 
 constexpr int moments = 400;    // intervals into which the duration is divided
 constexpr double slack = 0.05;  // share of a sheet's size, for its deformation in flight
@@ -23,11 +23,11 @@ constexpr double any_gap = std::numeric_limits<double>::infinity();
 
 /// A sheet or a free body.
 struct Mover {
-    Box box;  ///< at the start
+    Bounds box;  ///< at the start
     Vector3d velocity;
-    double damping;                    ///< 1/s
-    double met = any_gap;              ///< s, time from which on its direction of motion is arbitrary
-    std::optional<Box> met_near = {};  ///< box at this time
+    double damping;                       ///< 1/s
+    double met = any_gap;                 ///< s, time from which on its direction of motion is arbitrary
+    std::optional<Bounds> met_near = {};  ///< box at this time
 };
 
 /// A fixed or moving obstacle, and the least distance of anything from it.
@@ -41,18 +41,18 @@ struct Flight {
     double top_speed;  ///< m/s, largest in the scene
 };
 
-Box around(const Vector3d& centre, double radius) {
+Bounds around(const Vector3d& centre, double radius) {
     return {centre - Vector3d::Constant(radius), centre + Vector3d::Constant(radius)};
 }
 
-Box enlarged(const Box& box, double by) {
+Bounds enlarged(const Bounds& box, double by) {
     return {box.min() - Vector3d::Constant(by), box.max() + Vector3d::Constant(by)};
 }
 
-Box moved(const Box& box, const Eigen::Isometry3d& pose) {
-    Box result;
+Bounds moved(const Bounds& box, const Eigen::Isometry3d& pose) {
+    Bounds result;
     for (int corner = 0; corner < 8; ++corner)
-        result.extend(pose * box.corner(static_cast<Box::CornerType>(corner)));
+        result.extend(pose * box.corner(static_cast<Bounds::CornerType>(corner)));
     return result;
 }
 
@@ -62,37 +62,38 @@ Vector3d flown(const Mover& mover, const Vector3d& gravity, double time) {
     return time * last - std::expm1(-mover.damping * time) / mover.damping * (mover.velocity - last);
 }
 
-Box reach(const Mover& mover, const Flight& flight, double from, double to) {
+Bounds reach(const Mover& mover, const Flight& flight, double from, double to) {
     if (mover.met_near) {
         const double speed = throwing * (flight.top_speed + flight.gravity.norm() * to);
         return enlarged(*mover.met_near, speed * (to - mover.met));
     }
-    Box box = mover.box;
-    return Box(box.translated(flown(mover, flight.gravity, from)))
+    Bounds box = mover.box;
+    return Bounds(box.translated(flown(mover, flight.gravity, from)))
         .merged(box.translated(flown(mover, flight.gravity, to)));
 }
 
-Box box_at(const Obstacle& obstacle, double time) {
+Bounds box_at(const Obstacle& obstacle, double time) {
     if (obstacle.deformation == nullptr) return moved(obstacle.shape->bounds(), obstacle.motion.at(time));
     const Positions points = obstacle.points_at(time);
     return {points.rowwise().minCoeff(), points.rowwise().maxCoeff()};
 }
 
-/// Box around an obstacle during an interval, from its ends.
-Box swept(const Obstacle& obstacle, double from, double to) {
+/// Bounds around an obstacle during an interval, from its ends.
+Bounds swept(const Obstacle& obstacle, double from, double to) {
     return box_at(obstacle, from).merged(box_at(obstacle, to));
 }
 
 /// Gap, m, between a box and an obstacle; at most 0 where they may meet. around: box around the obstacle in
 /// this interval.
-double gap(const Box& box, const Obstacle& obstacle, const Box& around, double from, double to) {
+double gap(const Bounds& box, const Obstacle& obstacle, const Bounds& around, double from, double to) {
     if (const auto* plane = dynamic_cast<const PlaneShape*>(obstacle.shape.get())) {
         double least = any_gap;
         for (const double time : {from, to}) {
             const Eigen::Isometry3d back = obstacle.motion.at(time).inverse();
             for (int corner = 0; corner < 8; ++corner)
                 least = std::min(
-                    least, plane->distance(back * box.corner(static_cast<Box::CornerType>(corner))).distance);
+                    least,
+                    plane->distance(back * box.corner(static_cast<Bounds::CornerType>(corner))).distance);
         }
         return least;
     }
@@ -100,13 +101,13 @@ double gap(const Box& box, const Obstacle& obstacle, const Box& around, double f
 }
 
 /// Largest speed, m/s, of the corners of a box that moves with `motion`.
-double top_speed(const Motion& motion, const Box& box, double duration) {
+double top_speed(const Motion& motion, const Bounds& box, double duration) {
     if (motion.keys.empty()) return 0;
     double fastest = 0;
     const double interval = duration / moments;
     for (int i = 0; i < moments; ++i)
         for (int corner = 0; corner < 8; ++corner) {
-            const Vector3d at = box.corner(static_cast<Box::CornerType>(corner));
+            const Vector3d at = box.corner(static_cast<Bounds::CornerType>(corner));
             const Vector3d way = motion.at((i + 1) * interval) * at - motion.at(i * interval) * at;
             fastest = std::max(fastest, way.norm() / interval);
         }
@@ -127,7 +128,7 @@ double top_speed(const Obstacle& obstacle, double duration) {
 }
 
 Mover mover_of(const SheetInput& input, const SheetSpec& sheet, const Scene& scene) {
-    Box box;
+    Bounds box;
     for (const Vertex v : input.mesh.vertices()) box.extend(position(input.mesh, v));
     const double size = box.diagonal().norm();
     if (sheet.spin != Vector3d::Zero()) box = around(box.center(), size);
@@ -165,8 +166,8 @@ double fastest_of(const Scene& scene, const std::vector<SheetInput>& inputs, con
             fastest = std::max(fastest, top_speed(obstacle, scene.duration));
             continue;
         }
-        const Box bounds = obstacle.shape->bounds();
-        const Box box = bounds.diagonal().allFinite() ? bounds : movers.front().box;
+        const Bounds bounds = obstacle.shape->bounds();
+        const Bounds box = bounds.diagonal().allFinite() ? bounds : movers.front().box;
         fastest = std::max(fastest, top_speed(obstacle.motion, box, scene.duration));
     }
     for (const WindSpec& wind : scene.winds)
@@ -180,7 +181,7 @@ std::vector<double> gaps(const std::vector<Obstacle>& obstacles, std::size_t she
     std::vector<double> of_obstacles(obstacles.size(), any_gap), of_movers(movers.size(), any_gap);
     for (int i = 0; i < moments; ++i) {
         const double from = duration * i / moments, to = duration * (i + 1) / moments;
-        std::vector<Box> boxes, around;
+        std::vector<Bounds> boxes, around;
         for (const Obstacle& obstacle : obstacles) around.push_back(swept(obstacle, from, to));
         for (const Mover& mover : movers) boxes.push_back(reach(mover, flight, from, to));
         std::vector<char> meets(movers.size(), 0);
