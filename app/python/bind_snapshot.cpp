@@ -97,8 +97,8 @@ void bind_snapshot(py::module_& module) {
                                "[F, 3] Pa, at the other side; None: not requested")
         .def_property_readonly(
             "look", look_of,
-            "What files gave the meshes, such as \"vertex_colour\" [R, 4]: arrays by their\n"
-            "names in recordings. Materials and groups are rows, numbered from 0, -1: none.");
+            "Arrays by their names in recordings; attributes that files gave the meshes, such as\n"
+            "\"vertex_colour\" [R, 4]. Materials and groups are rows, numbered from 0; -1: none.");
 }
 
 }  // namespace sherd::python

@@ -47,7 +47,7 @@ class ImplicitStepper : public Stepper {
 
   private:
     double stored_in_contact() const override { return contact.stored_energy(position); }
-    /// Stores the unbalanced forces, and returns their increase since the last call, N, [3, V]. heirs:
+    /// Stores the unbalanced forces, and returns their increase since the last call, N, [3, V]. inserted:
     /// vertices inserted since then.
     Positions newly_unbalanced(std::span<const IndexWithParents> inserted);
     std::vector<Energy*> all_energies();

@@ -43,7 +43,7 @@ std::string threshold_line(const PeakRow& row) {
 
 }  // namespace
 
-double quantile(std::span<const double> peaks, double share) {
+double peak_quantile(std::span<const double> peaks, double share) {
     const double place = std::ceil(share * static_cast<double>(peaks.size()) - 1e-9);
     return peaks[static_cast<std::size_t>(std::max(place, 1.0)) - 1];
 }
@@ -51,7 +51,7 @@ double quantile(std::span<const double> peaks, double share) {
 std::vector<double> round_thresholds(std::span<const double> peaks) {
     std::vector<double> thresholds;
     for (const double share : {0.999, 0.99, 0.9}) {
-        const double peak = quantile(peaks, share);
+        const double peak = peak_quantile(peaks, share);
         if (!(peak > 0)) continue;
         const double threshold = rounded_down(peak);
         const bool new_one = thresholds.empty() || threshold < thresholds.back();
@@ -95,7 +95,7 @@ std::string peak_table(std::span<const PeakRow> rows) {
                                    "90 %", "99 %", "99.9 %", "largest");
     for (const PeakRow& row : rows) {
         text += fmt::format("{:<{}}", fmt::format("  {} {}", row.name, row.measure), width);
-        for (const double share : shares) text += fmt::format("{:>10.3g}", quantile(row.peaks, share));
+        for (const double share : shares) text += fmt::format("{:>10.3g}", peak_quantile(row.peaks, share));
         text += '\n';
         if (row.peaks.back() > 0) text += threshold_line(row);
     }

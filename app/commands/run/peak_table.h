@@ -24,7 +24,7 @@ struct PeakRow {
 std::vector<PeakRow> peak_rows(const Scene& scene, const Simulation& simulation);
 
 /// The smallest peak that this share of the peaks does not exceed. peaks: ascending, at least one.
-double quantile(std::span<const double> peaks, double share);
+double peak_quantile(std::span<const double> peaks, double share);
 
 /// Up to three thresholds of one significant digit, descending, which some hinges exceed: about one in a
 /// thousand, in a hundred, and in ten.

@@ -9,7 +9,7 @@
 namespace sherd {
 namespace {
 
-/// Frame of the triangle: along the crack face (lip), in the plane out of the triangle, and normal to both.
+/// Frame of the triangle: along the crack face, in the plane out of the triangle, and normal to both.
 struct CrackFaceFrame {
     Vector3d along, out, normal;
     double length, height;  ///< m, length of the crack face, and height of the triangle on it

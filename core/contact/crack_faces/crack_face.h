@@ -8,7 +8,7 @@
 
 namespace sherd {
 
-/// A vertex on one face of a crack (lip) and a triangle at the opposite face, vertices 0 | 1 2 3; that face
+/// A vertex on one face of a crack and a triangle at the opposite face, vertices 0 | 1 2 3; that face
 /// is the triangle's side from 1 to 2.
 struct CrackFaceStencil {
     std::array<Index, 4> vertices;

@@ -113,7 +113,7 @@ class ExplicitBodies {
                               const PairPlaces& places, double sharing, double length) const;
     /// Whether contact points of either collider push the other one.
     bool contact_points_push(const SurfacePairs& two, std::span<const Eigen::Isometry3d> places) const;
-    /// The square of frequencies, 1/s^2, that second springs (Firmness) add to those of the body or of
+    /// The square of frequencies, 1/s^2, that second springs (SecondSpring) add to those of the body or of
     /// vertices within `margin`, m.
     double rate_of_second_springs(std::size_t body, const StepContext& step, double margin) const;
     /// The square of frequencies, 1/s^2, that surfaces may add to those of any body in the step.

@@ -13,9 +13,9 @@
 
 namespace sherd {
 
-/// All contact of a run in explicit steps. Springs at vertices and at crack faces, and columns of
-/// sheet, are those of implicit steps (Contact), but pairs of elements are springs, too, and friction is a
-/// force at the present velocity that never reverses the sliding.
+/// All contact of a run in explicit steps. Springs at vertices and at crack faces, and the
+/// stiffness of columns of a sheet, are those of implicit steps (Contact), but pairs of elements are springs,
+/// too, and friction is a force at the present velocity that never reverses the sliding.
 class ExplicitContact {
   public:
     /// The shell must outlive this object. gravity: m/s^2, acts on the bodies.
@@ -63,8 +63,8 @@ class ExplicitContact {
     bool passes(const StepContext& step, const Positions& end);
     bool allows_barriers(const Positions& end) const;
     void set_second_spring(SecondSpring of_pairs);
-    /// Makes the second springs (Firmness) stiffer, in a range that no pair has entered at the beginning of
-    /// the step. Returns false if there is none, or if they are as stiff as they may be.
+    /// Makes the second springs (SecondSpring) stiffer, in a range that no pair has entered at the beginning
+    /// of the step. Returns false if there is none, or if they are as stiff as they may be.
     bool stiffen_springs(const StepContext& step);
     /// Removes the second springs if no pair at the end of the step is in their range.
     void relax(const Positions& end);

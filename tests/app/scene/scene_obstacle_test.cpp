@@ -284,7 +284,7 @@ TEST(SceneObstacle, AFaceThatStartsAcrossASurfaceIsNamed) {
         EXPECT_EQ(across.exit_code, 2) << across.err;
         for (const char* part : {"scene.toml:7: obstacle.thing.box: ",
                                  " faces of sheet.plate start across its "
-                                 "surface, face "})
+                                 "surface; the first is face "})
             EXPECT_NE(across.err.find(part), std::string::npos) << across.err;
         const ProgramResult near =
             outcome(command, "{ size = [1e-3, 1e-3, 0.1], centre = [0.012, 0.01, 0.9492] }");

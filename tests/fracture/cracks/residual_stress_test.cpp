@@ -15,8 +15,8 @@
 namespace sherd {
 namespace {
 
-constexpr double tempering = 1e8;     // Pa
-constexpr double strip_width = 0.06;  // m
+constexpr double tempering = 1e8;      // Pa
+constexpr double square_width = 0.06;  // m
 
 Material tempered_glass() {
     Material material = test::glass;
@@ -26,7 +26,7 @@ Material tempered_glass() {
 
 SheetInput pane(double edge_length, Layout layout, unsigned seed = 1) {
     SheetInput input;
-    input.mesh = generate_rectangle(strip_width, strip_width, {edge_length, layout, seed});
+    input.mesh = generate_rectangle(square_width, square_width, {edge_length, layout, seed});
     input.material = tempered_glass();
     input.strength = uniform_strength(1e9, Measure::stress);
     input.toughness.value = 7.5e5;
@@ -130,7 +130,7 @@ TEST(ResidualStress, WhatParallelCracksLeaveDoesNotDependOnTheirOrder) {
     const double whole = residual_energy(shell, {}), left = residual_energy(shell, cracks);
     std::ranges::reverse(cracks);
     EXPECT_NEAR(residual_energy(shell, cracks), left, 1e-9 * whole);
-    EXPECT_NEAR(whole, residual_stress(tempered_glass()).energy * strip_width * strip_width, 1e-9 * whole);
+    EXPECT_NEAR(whole, residual_stress(tempered_glass()).energy * square_width * square_width, 1e-9 * whole);
     EXPECT_LT(left, whole);
 }
 

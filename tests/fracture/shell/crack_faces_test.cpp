@@ -20,11 +20,11 @@
 namespace sherd {
 namespace {
 
-constexpr double closed_strip_length = 0.12, strip_width = 0.04, middle = closed_strip_length / 2;
+constexpr double closed_strip_length = 0.12, closed_strip_width = 0.04, middle = closed_strip_length / 2;
 
 SheetInput strip_input(Layout layout) {
     SheetInput strip;
-    strip.mesh = generate_rectangle(closed_strip_length, strip_width, {0.01, layout, 3});
+    strip.mesh = generate_rectangle(closed_strip_length, closed_strip_width, {0.01, layout, 3});
     strip.material = test::glass;
     return strip;
 }
@@ -165,7 +165,7 @@ TEST(BrokenStrip, CrackFacesThatCrossAreNotLeftToTheBarrier) {
     BrokenStrip strip(Layout::structured, 1e-4);
     Positions& x = strip.sheet.mechanics().position;
     const double gap = 0.6 * test::glass.thickness;
-    const Vector3d centre(middle, 0.375 * strip_width, 0);  // between two vertices of the crack
+    const Vector3d centre(middle, 0.375 * closed_strip_width, 0);  // between two vertices of the crack
     for (Eigen::Index v = 0; v < x.cols(); ++v)
         if (!strip.on_left[v]) {
             const Vector3d arm = x.col(v) - centre;
@@ -249,7 +249,7 @@ class CutStrip {
 
 /// Energy, J, of crack faces of a whole strip that overlap by `overlap` m.
 double energy_of_whole(double overlap) {
-    return 0.5 * test::glass.young / 2 * strip_width * overlap * overlap;
+    return 0.5 * test::glass.young / 2 * closed_strip_width * overlap * overlap;
 }
 
 // A crack that ends at a closed crack face cuts it. A piece between two such cuts once had no opposite face,

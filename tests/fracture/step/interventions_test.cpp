@@ -69,8 +69,8 @@ TEST_P(ByHand, PinnedVerticesGoAsTheyAreTold) {
     SheetInput sheet = square();
     sheet.pinned = {0, 1};
     SimulationOptions options = options_of(GetParam());
-    options.held = {{0, {}}, {1, {}}};
-    for (SupportedVertex& held : options.held) held.by = {{0, Matrix3d::Identity()}};
+    options.supported_vertices = {{0, {}}, {1, {}}};
+    for (SupportedVertex& vertex : options.supported_vertices) vertex.by = {{0, Matrix3d::Identity()}};
     options.stepper.supports = 1;
     Simulation simulation({sheet}, options);
     const std::vector<Index> told{1, 0};

@@ -43,7 +43,7 @@ TEST_F(ReadObj, SaysWhichObjStatementsItPassesOver) {
     ASSERT_EQ(warnings.size(), 2U);
     expect_warning("2 lines were skipped: polylines (`l`) (the first: line 5");
     expect_warning("1 line was skipped: unknown statements (the first: line 7, `frobnicate`)");
-    expect_failure("lines.obj", test::square + "l 1 2\n", "no faces (`f`), only lines");
+    expect_failure("lines.obj", test::square + "l 1 2\n", "no faces (`f`), only polylines");
     expect_failure("free.obj", test::square + "cstype bezier\nsurf 0 1 0 1 1 2 3 4\nend\n", "free-form");
 }
 

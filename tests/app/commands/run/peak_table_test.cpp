@@ -23,14 +23,14 @@ std::vector<double> one_to(int count) {
 
 TEST(PeakTable, QuantilesAreValuesThatHingesHave) {
     const std::vector<double> values = one_to(1000);
-    EXPECT_EQ(quantile(values, 0.5), 500);
-    EXPECT_EQ(quantile(values, 0.9), 900);
-    EXPECT_EQ(quantile(values, 0.999), 999);
-    EXPECT_EQ(quantile(values, 1), 1000);
+    EXPECT_EQ(peak_quantile(values, 0.5), 500);
+    EXPECT_EQ(peak_quantile(values, 0.9), 900);
+    EXPECT_EQ(peak_quantile(values, 0.999), 999);
+    EXPECT_EQ(peak_quantile(values, 1), 1000);
     const std::vector<double> few{1, 2, 7};
-    EXPECT_EQ(quantile(few, 0.5), 2);
-    EXPECT_EQ(quantile(few, 0.99), 7);
-    EXPECT_EQ(quantile(std::vector<double>{3}, 0.5), 3);
+    EXPECT_EQ(peak_quantile(few, 0.5), 2);
+    EXPECT_EQ(peak_quantile(few, 0.99), 7);
+    EXPECT_EQ(peak_quantile(std::vector<double>{3}, 0.5), 3);
 }
 
 TEST(PeakTable, ThresholdsAreRoundAndEachIsExceeded) {

@@ -41,7 +41,7 @@ void write_square(const std::filesystem::path& file, const Texture& texture) {
     for (const auto& triangle : sheet.triangles) {
         FaceTexture corners;
         for (int i = 0; i < 3; ++i) corners[i] = texture(sheet.points[triangle[i]].head<2>());
-        sheet.texture.push_back(corners);
+        sheet.look.texture.push_back(corners);
     }
     write_mesh(sheet, file);
 }

@@ -31,7 +31,7 @@ class ThicknessMaps : public testing::Test {
         TriangleSheet square = triangle_sheet(grid(4, 4));
         for (Vector3d& point : square.points) point /= 4;
         for (const auto& triangle : square.triangles) {
-            FaceTexture& corners = square.texture.emplace_back();
+            FaceTexture& corners = square.look.texture.emplace_back();
             for (int i = 0; i < 3; ++i) corners[i] = square.points[triangle[i]].head<2>();
         }
         write_mesh(square, directory.path / "square.obj");
