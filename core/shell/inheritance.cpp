@@ -25,8 +25,8 @@ Vector3d mean_column(const std::vector<IndexWithParents::Parent>& parents, const
 void append(Positions& columns, std::span<const IndexWithParents> inserted) {
     Eigen::Index next = columns.cols();
     columns.conservativeResize(3, next + static_cast<Eigen::Index>(inserted.size()));
-    for (const IndexWithParents& inserted : inserted)
-        columns.col(next++) = mean_column(inserted.parents, columns);
+    for (const IndexWithParents& element : inserted)
+        columns.col(next++) = mean_column(element.parents, columns);
 }
 
 void follow(Positions& of_vertices, const ShellChange& change) {
@@ -40,8 +40,8 @@ void follow(Positions& of_vertices, const ShellChange& change) {
 void append(VectorXd& values, std::span<const IndexWithParents> inserted) {
     Eigen::Index next = values.size();
     values.conservativeResize(next + static_cast<Eigen::Index>(inserted.size()));
-    for (const IndexWithParents& inserted : inserted)
-        values[next++] = mean(inserted.parents, 0.0, [&](Index parent) { return values[parent]; });
+    for (const IndexWithParents& element : inserted)
+        values[next++] = mean(element.parents, 0.0, [&](Index parent) { return values[parent]; });
 }
 
 void follow_around(std::vector<double>& of_edges, const ShellChange& change, double missing) {

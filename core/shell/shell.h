@@ -46,8 +46,8 @@ struct NearVertices {
 /// Overlap of the sheets with one collider since the start.
 struct StartDepth {
     VectorXd depth;  ///< [V] m, overlap beyond which the collider exerts forces; it never grows
-    std::vector<char>
-        surface_exempt;  ///< [V] whether elements with this vertex do not meet the collider's surface
+    /// [V] whether elements with this vertex do not meet the collider's surface.
+    std::vector<char> surface_exempt;
 
     void visit_state(StateVisitor& visit) {
         auto& [depth, surface_exempt] = *this;
@@ -70,12 +70,12 @@ struct Shell {
     std::vector<char> fixed;    ///< [V] 1 where a pin holds the vertex
     std::vector<Index> script;  ///< [V] 0, or the number, from 1, of the vertex's prescribed motion
     std::vector<char> guide;    ///< [V] 0, or the number, from 1, of the guide that the vertex slides along
-    std::vector<Index>
-        support_set;  ///< [V] 0, or the number, from 1, of the vertex's entry in `support_sets`
-    std::vector<Index>
-        vertex_sheet;  ///< [V] number of the sheet that the vertex belongs to, also after breaking
-    std::vector<char>
-        kept;  ///< [V] 1 where remeshing must not move the vertex, besides those held and cracked
+    /// [V] 0, or the number, from 1, of the vertex's entry in `support_sets`.
+    std::vector<Index> support_set;
+    /// [V] number of the sheet that the vertex belongs to, also after breaking.
+    std::vector<Index> vertex_sheet;
+    /// [V] 1 where remeshing must not move the vertex, besides those held and cracked.
+    std::vector<char> kept;
 
     std::vector<TriangleStencil> triangles;  ///< [F]
     std::vector<double> face_mass;           ///< [F] kg
@@ -104,8 +104,8 @@ struct Shell {
     std::vector<CrackFaceStencil> crack_faces;  ///< crack faces of these cracks
     std::vector<Matrix3d> guides;               ///< projections to the free directions: a plane, or a line
     std::vector<Motion> motions;                ///< prescribed motions of vertices, from their rest positions
-    std::vector<std::vector<SupportDirections>>
-        support_sets;     ///< supports that together hold a vertex, for reactions
+    /// Supports that together hold a vertex, for reactions.
+    std::vector<std::vector<SupportDirections>> support_sets;
     bool uneven = false;  ///< whether the thickness of a sheet differs from place to place
 
     /// Supports are given at the start, and no part of the state.

@@ -27,7 +27,7 @@ std::vector<Index> faces_of(const std::vector<ShellChange::ChangedFace>& changed
 
 std::vector<Index> elements_of(const std::vector<IndexWithParents>& inserted) {
     std::vector<Index> elements;
-    for (const IndexWithParents& inserted : inserted) elements.push_back(inserted.element);
+    for (const IndexWithParents& one : inserted) elements.push_back(one.element);
     return elements;
 }
 

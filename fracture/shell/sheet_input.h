@@ -29,8 +29,8 @@ struct SheetInput {
     Positions start;                ///< [3, V] m, start positions; without columns: the rest shape
     Material material;              ///< with the mean thickness if the sheet is uneven
     std::vector<double> thickness;  ///< [V] m, linear in each face; empty: the material's everywhere
-    std::vector<Vector3d>
-        axes;  ///< [F] first material axis, in the face's plane; may be empty if nothing depends on it
+    /// [F] first material axis, in the face's plane; may be empty if nothing depends on it.
+    std::vector<Vector3d> axes;
     Strength strength;                     ///< by default the sheet cannot fail
     Toughness toughness;                   ///< by default cracks propagate by strength, too
     ArtDirection art_direction;            ///< by default without limits

@@ -20,8 +20,8 @@ struct SimulationOptions {
     /// step that cannot be solved is halved. The stepper's tolerance is set from `tolerance`.
     StepperOptions stepper = {.contact = {.sheets = true}};
     std::vector<Edge> cracks;  ///< edges that have failed before the run, numbered over all inputs
-    std::vector<SupportedVertex>
-        supported_vertices;     ///< vertices with supports numbered below StepperOptions::supports
+    /// Vertices with supports numbered below StepperOptions::supports.
+    std::vector<SupportedVertex> supported_vertices;
     std::vector<Gauge> gauges;  ///< at the start
     FaceFieldChoice fields;     ///< fields of snapshots
     int max_iterations = 50;    ///< limit on those of the minimiser, except between two stages

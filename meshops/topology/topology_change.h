@@ -50,8 +50,8 @@ struct TopologyChange {
     std::vector<WithParents<Face>> faces;
     std::vector<OpenedEdge> opened;  ///< each `created` is one of `edges`
     std::vector<Face> changed;       ///< old faces with a new corner, side or shape; ascending, each once
-    std::vector<WithParents<Vertex>>
-        moved;                       ///< old vertices at a new place of the sheet; ascending, each once
+    /// Old vertices at a new place of the sheet; ascending, each once.
+    std::vector<WithParents<Vertex>> moved;
     std::vector<Edge> flipped;       ///< old edges that now join other vertices; ascending, each once
     std::vector<Reshaped> reshaped;  ///< ascending, each once
 };

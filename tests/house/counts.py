@@ -75,7 +75,9 @@ def counted(path, name):
     for number, (has_code, comment, column) in enumerate(split(text), 1):
         found.code += has_code
         found.comments += bool(comment) and not has_code
-        if comment and (has_code or column != before) and "SPDX-License-Identifier" not in comment:
+        if "SPDX-License-Identifier" in comment:
+            continue
+        if comment and (has_code or column != before):
             found.blocks += 1
             if begins_with_pronoun(comment):
                 found.pronouns.append(f"{name}:{number}: {comment}")

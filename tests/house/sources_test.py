@@ -248,6 +248,7 @@ class House(unittest.TestCase):
         self.assertEqual(self.found_in(core__b="int a;  // number of cracks\n/// Returns it.\n"), [])
         for comment in ("// of cracks", "///< what is broken", "/// Those of the sheet.", "/** the same for faces */"):
             self.assertEqual(len(self.found_in(core__b=f"int a;  {comment}")), 1, comment)
+            self.assertEqual(len(self.found_in(core__b=comment)), 1, f"below the licence: {comment}")
 
     def test_long_and_unlicensed_files_are_found(self):
         self.assertEqual(len(self.found_in(core__b="\n" * MOST_LINES)), 1)

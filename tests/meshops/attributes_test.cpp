@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every attribute of the table must do. A user who paints a mesh would lose what a follower forgets.
+// Every attribute of the table follows changes of a mesh and is stored: a user who paints a mesh would lose
+// one that does not.
 #include "meshops/attributes.h"
 
 #include <gtest/gtest.h>

@@ -152,8 +152,8 @@ class ContactSurface {
     std::vector<std::array<Index, 2>> edge, collider_edge, exempt_pair;
     std::vector<double> width, collider_width;  ///< m, of each edge
     std::vector<double> largest_half;           ///< m, of each vertex; empty: the thickness is even
-    std::vector<std::vector<char>>
-        surface_exempt;  ///< exemptions by collider and vertex of sheets; empty: none
+    /// Exemptions by collider and vertex of sheets; empty: none.
+    std::vector<std::vector<char>> surface_exempt;
     std::vector<NearVertices> near;
     std::vector<char> in_exempt_pair, is_near;  ///< flags of each vertex of sheets
 };
