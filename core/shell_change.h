@@ -46,7 +46,7 @@ struct ShellChange {
     };
     std::vector<ChangedFace> changed = {};  ///< ascending
     /// Changed and inserted faces, ascending, each with the changed faces of which it inherits a part and the
-    /// fraction of their area and mass: the largest part first. The fractions of a changed face sum to 1.
+    /// fraction of their area and mass, the largest fraction first. The fractions of a changed face sum to 1.
     std::vector<IndexWithParents> reshaped = {};
     /// An edge across old faces: flipped, or inserted inside a face.
     struct CrossingEdge {

@@ -47,9 +47,9 @@ struct SurfaceLook {
 /// Rule by which new and changed elements of a mesh inherit an attribute. A copy of a vertex always has the
 /// value of its parent.
 enum class Inherits {
-    mean,     ///< the mean of the parents by weight; of faces by area, with the length of the main parent;
-              ///< texture coordinates are those of the place
-    largest,  ///< the value of the face with the largest share
+    mean,     ///< the mean of the parents by weight; vectors of faces by area, with the length of the main
+              ///< parent; texture coordinates are interpolated in the parent face where the corner lies
+    largest,  ///< the value of the face that gives the largest share of its area
     nothing   ///< inserted elements have the value missing()
 };
 

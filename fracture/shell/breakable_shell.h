@@ -103,10 +103,10 @@ class BreakableShell {
     /// The mass of each old face is distributed to its parts by area, so that mass is conserved; a vertex has
     /// a third of its faces' mass. Positions and velocities are interpolated, then the patch gets the rigid
     /// motion that keeps its momentum (follow_in_motion()). Rest angles, stiffness and strength are those of
-    /// a sheet that is made of these triangles. A face has the material axis of the old face that covers most
-    /// of it, turned into its own plane. Half of an edge has the edge's factors on strength and toughness,
-    /// and an edge across old faces the mean of the finite factors of their edges; an infinite one if there
-    /// is none.
+    /// a sheet that is made of these triangles. A face has the material axis of the old face of which it has
+    /// the largest share, turned into its own plane. Half of an edge has the edge's factors on strength and
+    /// toughness, and an edge across old faces the mean of the finite factors of their edges; an infinite one
+    /// if there is none.
     std::optional<Advanced> advance(Vertex tip, const Vector3d& direction, const AdvanceOptions& options);
     /// Makes later calls of advance() keep these vertices at their place of the rest shape.
     void lock_vertices(std::span<const Index> vertices);

@@ -27,7 +27,7 @@ struct BreakingStage {
     std::int64_t step = 0;      ///< number of the step
     double begin = 0, end = 0;  ///< s, of the step
     Index number = 0;
-    double waited = 0;  ///< s: see Judged
+    double waited = 0;  ///< s: see CrackEvaluation
 };
 
 /// Outcome of a stage: whether the sheets have changed, or had to stay because of the limit on stages.

@@ -103,8 +103,8 @@ StepReport Simulation::step() try {
     report.step = ++steps;
     policy.begin_step();
     for (;;) {
-        Attempt attempt{stepper->begin(policy.size())};                        // forces and contact
-        if (attempt) attempt.result = stepper->solve(options.max_iterations);  // solve
+        Attempt attempt{stepper->begin(policy.size())};                        // predict, up to contact
+        if (attempt) attempt.result = stepper->solve(options.max_iterations);  // forces and contact
         attempt.urgency = policy.urgency(attempt.result);
         report.newton_iterations += attempt.result.iterations;
         if (attempt) {
@@ -123,7 +123,7 @@ StepReport Simulation::step() try {
     report.step_size = policy.size();
     stepper->finish();
     policy.advance();
-    report_state(report);  // record
+    report_state(report);  // energies and peaks
     enable_contact();      // contact again
     policy.finish_step({report.peak_overload, report.stages > 0, report.contact, 0,
                         report.kinetic + report.bending + report.membrane + report.contact});

@@ -32,7 +32,8 @@ class FaceInheritance {
             for (const WithParents<Vertex>& vertex : *vertices) parents[vertex.element] = vertex.parents;
     }
 
-    /// The mean of texture coordinates at the corners of a face.
+    /// Texture coordinates at the corners of a face. A corner that lies in none of the parents has the value
+    /// of the main parent at the corner of its number.
     FaceTexture mean(const Mesh::Property_map<Face, FaceTexture>& texture, Face face,
                      const Shares& shares) const {
         FaceTexture result;

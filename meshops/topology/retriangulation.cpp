@@ -26,14 +26,10 @@ using Eigen::Vector3d;
 /// The faces around a vertex, laid into a plane: the vertex is the origin, sides have their lengths, and the
 /// angles are scaled so that they close: by 2 pi over their sum, on the boundary by pi.
 struct UnfoldedFan {
-    std::vector<Face> faces;              ///< counterclockwise
-    std::vector<Vertex> ring;             ///< faces[i] has the corners vertex, ring[i], ring[i + 1]
-    std::vector<Eigen::Vector2d> places;  ///< m, places of the ring's vertices
+    std::vector<Face> faces;       ///< counterclockwise
+    std::vector<Vertex> ring;      ///< faces[i] has the corners vertex, ring[i], ring[i + 1]
+    std::vector<Vector2d> places;  ///< m, places of the ring's vertices
 };
-
-using Eigen::Vector2d;
-
-using Eigen::Vector3d;
 
 /// The halfedge out of a vertex from which all faces at it follow counterclockwise.
 Halfedge first_outward(const Mesh& mesh, Vertex vertex) {
@@ -85,9 +81,7 @@ std::array<Vector2d, 4> unfold_pair(const Mesh& mesh, Halfedge h) {
     return {Vector2d::Zero(), Vector2d(length, 0), above, Vector2d(below.x(), -below.y())};
 }
 
-using PlaneTriangle = std::array<Eigen::Vector2d, 3>;  ///< counterclockwise
-
-using Eigen::Vector2d;
+using PlaneTriangle = std::array<Vector2d, 3>;  ///< counterclockwise
 
 /// The part of a convex polygon to the left of the line from a to b.
 std::vector<Vector2d> left_part(const std::vector<Vector2d>& polygon, const Vector2d& a, const Vector2d& b) {
