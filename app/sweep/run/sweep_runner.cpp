@@ -22,7 +22,7 @@ constexpr double most_of_row = 0.99;  // share of the run in a row's progress; t
 /// may end the row before this process receives it, and is waited for.
 bool is_cut_short(const RowResult& row) {
     constexpr int terminated = signal_base + SIGTERM;
-    constexpr auto pause = std::chrono::milliseconds(10), longest = std::chrono::milliseconds(1000);
+    constexpr auto pause = std::chrono::milliseconds(10), longest = std::chrono::milliseconds(5000);
     if (row.exit_code == 0) return false;
     for (auto waited = pause; row.exit_code == terminated && !interrupted() && waited <= longest;
          waited += pause)
