@@ -3,7 +3,7 @@
 #include "app/commands/program.h"
 #include "meshops/error.h"
 
-// NOLINTNEXTLINE(bugprone-exception-escape): before errors are reported, only a lack of memory could throw.
+// NOLINTNEXTLINE(bugprone-exception-escape): before run_program(), only a lack of memory could throw.
 int main(int argc, char** argv) {
     sherd::prepare_process();
     CLI::App program(

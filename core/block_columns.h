@@ -5,27 +5,28 @@
 
 namespace sherd {
 
-/// Some columns of a matrix. Blocks added to others are ignored.
+/// Some block columns of a matrix. Blocks added to its other columns are ignored.
 class BlockMatrix::Columns {
   public:
-    /// Every column is in one of `parts` parts; columns beside each other mostly in the same.
+    /// The columns in part number `part`, if the columns of the matrix are divided into `parts` parts. Most
+    /// adjacent columns are in one part.
     explicit Columns(BlockMatrix& matrix, Index part = 0, Index parts = 1)
         : matrix(matrix), part(part), parts(parts) {}
     void add(Index i, Index j, const Matrix3d& block) {
         if (has(std::min(i, j))) matrix.add(i, j, block);
     }
-    /// Adds block(a, b) at block row vertices[a], block column vertices[b] for all a >= b, like add() but
-    /// faster where there are many. The vertices ascend, and all their pairs have blocks, or in a part those
-    /// that are in it.
+    /// Adds block(a, b) at block row vertices[a], block column vertices[b] for all a >= b, like add(), but
+    /// faster for many vertices. The vertices must ascend, and every pair of them must have a block; in a
+    /// part of a matrix, every pair of vertices that are both in the part.
     template <class Block>
     void add_all(std::span<const Index> vertices, const Block& block);
-    /// Three rows, coordinate fastest.
+    /// Three rows with three columns for each vertex, coordinate fastest.
     using Rows = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor>;
-    /// Adds rows^T rows, [3 vertices, 3 vertices], like add_all().
+    /// Adds the blocks of rows^T rows, [3 N, 3 N] for N vertices, like add_all().
     void add_square(std::span<const Index> vertices, const Rows& rows);
 
   private:
-    /// Column c of rows^T rows, from row `first` on.
+    /// Writes column c of rows^T rows, from row `first` on, to `column`.
     static void square_column(const Rows& rows, Eigen::Index c, Eigen::Index first, double* column);
     bool is_plain(std::span<const Index> vertices) const;
     static constexpr Index run = 16;  // number of consecutive columns in a part, for caches
@@ -33,8 +34,8 @@ class BlockMatrix::Columns {
 
     BlockMatrix& matrix;
     Index part, parts;
-    std::vector<double> buffer;  ///< a column
-    std::vector<Index> ranks;    ///< ranks of its blocks
+    std::vector<double> buffer;  ///< a scalar column of rows^T rows
+    std::vector<Index> ranks;    ///< ranks of the blocks of a column: see BlockMatrix::rank()
     std::vector<Index> here;     ///< numbers of an element's vertices in the matrix
 };
 

@@ -10,13 +10,14 @@
 
 namespace sherd {
 
-// The sum over elements, one loop for all energies. `elements` has, for i from 0 to size() - 1,
-//     vertices(i)                  std::array<Index, N>; those below zero are not in the shell: they are
-//                                  prescribed and take no force
+// Sums over elements, with one loop for all energies. `elements` must have, for i from 0 to size() - 1,
+//     vertices(i)                  std::array<Index, N>; a number below zero: the vertex is not in the shell,
+//                                  its position is prescribed, and forces on it are dropped
 //     value(i, local)              J
 //     gradient(i, local)           N, [3, N]
 //     hessian(i, local, curvature) N/m, [3 N, 3 N], symmetric, coordinate fastest
-// where local, [3, N], are the positions (m) of the element's vertices, or the result of gather(i, x).
+// where `local` is the result of elements.gather(i, x), or, if there is no such function, the positions, [3,
+// N] m, of the element's vertices.
 
 template <class Elements>
 auto local_positions(const Elements& elements, std::size_t i, const Positions& x) {
@@ -73,7 +74,7 @@ void add_patterns(const Elements& elements, std::vector<std::pair<Index, Index>>
     for (std::size_t i = 0; i < elements.size(); ++i) add_pairs(pairs, elements.vertices(i));
 }
 
-/// The energy of elements that stay the same for at least a step.
+/// An energy that is the sum over elements. The elements do not change within a step.
 template <class Elements>
 class ElementEnergy : public Energy {
   public:
@@ -89,7 +90,7 @@ class ElementEnergy : public Energy {
     void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const override {
         add_patterns(elements, pairs);
     }
-    /// Elements without a state are those of the shell, or made by begin().
+    /// Elements that have no visit_state() belong to the shell, or begin() makes them.
     void visit_state(StateVisitor& visit) override {
         if constexpr (HasState<Elements>) visit(elements);
     }

@@ -8,22 +8,23 @@
 
 namespace sherd {
 
-/// Four numbers in simultaneous computations, one for each of four elements. Results have the same bits as
-/// those of single elements: each operation is that of the single number.
+/// Four numbers in simultaneous computations, one number for each of four elements. Results have the same
+/// bits as computations with a single double, since each operation acts on each number alone.
 class Lanes {
   public:
     static constexpr int count = 4;
-    /// Eigen's small matrices align no further than this.
+    /// Aligned to 16 bytes only, since Eigen aligns small matrices no further.
     using Vector [[gnu::vector_size(32), gnu::aligned(16)]] = double;
 
     Lanes() = default;
-    // Copies as a vector: compilers copy a plain struct in parts, for which the next operation has to wait.
+    // Copied as one vector: compilers copy a plain struct in parts, and the next operation has to wait for
+    // all parts.
     Lanes(const Lanes& o) : v(o.v) {}
     Lanes& operator=(const Lanes& o) {
         v = o.v;
         return *this;
     }
-    Lanes(double all) : v{all, all, all, all} {}  // NOLINT: as of double
+    Lanes(double all) : v{all, all, all, all} {}  // NOLINT: implicit, like conversions of double
     Lanes(const Vector& v) : v(v) {}              // NOLINT
     /// Loads four consecutive numbers, without alignment.
     static Lanes load(const double* from) {
@@ -52,7 +53,7 @@ class Lanes {
         const auto less = a.v < b.v;
         return (less[0] & less[1] & less[2] & less[3]) != 0;
     }
-    /// Transposes the [4, 4] matrix with these rows.
+    /// Transposes the [4, 4] matrix with the rows a, b, c and d.
     friend void transpose(Lanes& a, Lanes& b, Lanes& c, Lanes& d) {
         const Vector ab0 = __builtin_shufflevector(a.v, b.v, 0, 4, 2, 6);
         const Vector ab1 = __builtin_shufflevector(a.v, b.v, 1, 5, 3, 7);
@@ -68,8 +69,9 @@ class Lanes {
     Vector v;
 };
 
-// Loops are compiled twice, for processors with vectors of four numbers and for others, with all that they
-// call. Multiplications and additions are never contracted, so that both give the same bits.
+// Loops, with all functions that they call, are compiled twice: for processors with vectors of four numbers,
+// and for others. A multiplication and an addition are never contracted to one operation, so that the two
+// versions give the same bits.
 
 template <class Body>
 [[gnu::flatten, gnu::noinline]] void loop_as_compiled(int begin, int end, const Body& body) {

@@ -28,7 +28,7 @@ double turn(const MotionKey& a, const MotionKey& b) {
     return std::abs((a.axis.dot(b.axis) < 0 ? -b.angle : b.angle) - a.angle);
 }
 
-/// Share of the motion from a key to the next one that is complete at `time`, s.
+/// Share of the motion from key `a` to key `b` that is complete at `time` (s).
 double share_of_way(const MotionKey& a, const MotionKey& b, double time, bool smooth) {
     const double s = b.time > a.time ? std::clamp((time - a.time) / (b.time - a.time), 0.0, 1.0) : 0;
     return smooth ? s * s * (3 - 2 * s) : s;

@@ -12,7 +12,7 @@ struct Reaction {
     Vector3d force = Vector3d::Zero();   ///< N
     Vector3d moment = Vector3d::Zero();  ///< N m, about the origin
 
-    /// Adds a force (N) on the point `at` (m).
+    /// Adds the force `of_point` (N), which acts on the point `at` (m).
     void add(const Vector3d& at, const Vector3d& of_point) {
         force += of_point;
         moment += at.cross(of_point);

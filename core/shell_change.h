@@ -16,19 +16,20 @@ struct IndexWithParents {
         double weight;
     };
     Index element;
-    std::vector<Parent> parents;  ///< weights sum to 1; without any, data start from defaults
+    std::vector<Parent> parents;  ///< their weights sum to 1; if empty, data start from defaults
 };
 
 /// An edge that opens with a change of the shell.
 struct Opening {
     Index edge;
     double energy;  ///< J, total energy that the opening dissipates
-    double time;    ///< s, in which the tip passes it at its speed limit
+    double time;    ///< s, time in which a tip passes the edge at the speed limit
 };
 
 /// A change of the shell's mesh. New elements are appended in the order given here; hinges are removed, then
-/// appended. Parents are elements before the change, with the data that they had then. A crack that opens
-/// only changes the numbers of corners; members from `moved` on describe changes of triangles (remeshing).
+/// appended. Parents are elements before the change, with the data that they had then. Where a crack opens,
+/// only the vertex numbers at corners of faces change; members from `moved` on describe changes of triangles
+/// (remeshing).
 struct ShellChange {
     std::vector<IndexWithParents> vertices = {}, edges = {}, faces = {};
     /// Removed hinges, in the order of removal, each with its number at that time: the last hinge then took
@@ -37,7 +38,7 @@ struct ShellChange {
     /// Opening of the edge whose hinge was removed, if its crack requires energy.
     std::optional<Opening> opening = {};
 
-    /// Old vertices that have been moved to another place of the sheet, around which their parents lay.
+    /// Old vertices that have been moved to another place of the sheet; their parents lay around this place.
     std::vector<IndexWithParents> moved = {};
     /// An old face that covers another part of the sheet, or has other corners.
     struct ChangedFace {
@@ -45,13 +46,14 @@ struct ShellChange {
         std::array<Index, 3> vertices;  ///< corners before the change
     };
     std::vector<ChangedFace> changed = {};  ///< ascending
-    /// Changed and inserted faces, ascending, each with the changed faces of which it inherits a part and the
-    /// fraction of their area and mass, the largest fraction first. The fractions of a changed face sum to 1.
+    /// Changed and inserted faces, ascending. Parents are the changed faces from which a face inherits; a
+    /// weight is the fraction of the parent's area and mass that the face inherits, the largest fraction
+    /// first. The fractions of one parent sum to 1.
     std::vector<IndexWithParents> reshaped = {};
     /// An edge across old faces: flipped, or inserted inside a face.
     struct CrossingEdge {
         Index edge;
-        std::vector<Index> around;  ///< the old edges of these faces, each once
+        std::vector<Index> around;  ///< old edges of the old faces, each once
     };
     std::vector<CrossingEdge> crossing = {};
     /// Hinges with other vertices or another rest shape, ascending; new hinges were appended.
@@ -62,11 +64,11 @@ struct ShellChange {
     };
     std::vector<Weight> weights = {};  ///< masses of the old corners of changed faces, ascending
 
-    /// Whether triangles change (remeshing); otherwise edges open.
+    /// Whether triangles change (remeshing); if not, edges open.
     bool remeshes() const { return !reshaped.empty() || !moved.empty(); }
 };
 
-/// Removes the entry `hinge` of a list in the way hinges are removed: the last entry takes its place.
+/// Removes the entry `hinge` of a list as hinges are removed: the last entry takes its place.
 template <class T>
 void remove_hinge(std::vector<T>& of_hinges, Index hinge) {
     of_hinges[hinge] = of_hinges.back();
@@ -79,7 +81,8 @@ void follow_hinges(const ShellChange& change, std::vector<T>& of_hinges) {
     for (const Index hinge : change.removed_hinges) remove_hinge(of_hinges, hinge);
 }
 
-/// Removes the entries of removed hinges, and sets those of reshaped and appended hinges: make(hinge).
+/// Removes the entries of removed hinges, and sets the entries of reshaped and appended hinges to
+/// make(hinge).
 template <class T, class Make>
 void follow_hinges(const ShellChange& change, std::vector<T>& of_hinges, const Make& make) {
     follow_hinges(change, of_hinges);
@@ -96,8 +99,8 @@ inline const ShellChange::ChangedFace* changed_face(const ShellChange& change, I
     return at != change.changed.end() && at->face == face ? &*at : nullptr;
 }
 
-/// Appends the inserted faces whose first parent is in a list of faces to it. If the list's border consists
-/// of edges that no change moves, the list covers the same part of the sheet as before.
+/// Appends to a list of faces the inserted faces whose first parent is in the list. If no change moves the
+/// edges on the border of the listed faces, they cover the same part of the sheet as before.
 inline void follow_faces(const ShellChange& change, std::vector<Index>& faces) {
     for (const auto& [face, parents] : change.faces)
         if (!parents.empty() && std::find(faces.begin(), faces.end(), parents.front().element) != faces.end())

@@ -30,15 +30,15 @@ concept EigenArray = std::derived_from<T, Eigen::PlainObjectBase<T>>;
 /// A class with members that own memory has visit_state(), whose structured binding lists all of its members,
 /// so that a new member does not compile until it is listed:
 ///     void visit_state(StateVisitor& visit) { auto& [shell, counted, slopes] = *this; visit(counted); }
-/// Members that are listed but not visited are given at construction, or follow bit for bit from those
-/// visited. A type that owns no memory is stored as its bytes, with all of its members; it must hold no
+/// Members that are listed but not visited are given at construction, or follow bit for bit from the visited
+/// members. A type that owns no memory is stored as its bytes, with all of its members; it must hold no
 /// pointers. State is restored into an object that was constructed from the same input.
 class StateVisitor {
   public:
     virtual ~StateVisitor() = default;
-    /// Whether state is restored, and not stored.
+    /// Whether state is restored; if false, it is stored.
     virtual bool reads() const = 0;
-    /// Stores or restores bytes. Throws Error if there are too few.
+    /// Stores or restores bytes. Throws Error if fewer bytes have been stored than are to be restored.
     virtual void bytes(void* data, std::size_t size) = 0;
     /// Begins a class. Throws Error if another class was stored here.
     virtual void enter(const char* type) = 0;
@@ -132,9 +132,9 @@ class StateVisitor {
     }
 };
 
-/// Whether a class has these members and no more besides those of its base; with a base, a structured binding
-/// cannot list them: static_assert(has_only<A, Base, decltype(one), decltype(other)>()). Only a member that
-/// fits into padding is not noticed.
+/// Whether the class T has these members and no others besides the members of its base. It is for classes
+/// with a base, whose members a structured binding cannot list: static_assert(has_only<A, Base,
+/// decltype(one), decltype(other)>()). Only a member that fits into padding goes unnoticed.
 template <class T, class Base, class... Members>
 constexpr bool has_only() {
     std::size_t end = sizeof(Base), alignment = alignof(Base);

@@ -11,8 +11,8 @@ namespace sherd {
 /// The displacement (m) and the rotation vector (rad) of a rigid body in a step, or their rates.
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 
-/// The origins of a rigid body in a step (see StepContext); its displacement and rotation since the step's
-/// beginning replace the positions.
+/// The origins of a rigid body in a step: as in StepContext, but with the body's displacement and rotation
+/// since the step's beginning in place of positions.
 struct BodyOrigin {
     Vector6d pose = Vector6d::Zero();              ///< m, rad
     Vector6d velocity = Vector6d::Zero();          ///< m/s, rad/s
@@ -40,11 +40,11 @@ struct StepContext {
     }
 
     double end() const { return begin + length; }  ///< s
-    /// The squared time, s^2, that displacements from the inertial prediction have to become accelerations.
+    /// lag^2, s^2: a displacement from the inertial prediction, divided by this, is an acceleration.
     double square() const { return lag * lag; }
-    /// m/s. x: [3, V] m.
+    /// Velocity v(x), m/s. x: [3, V] m.
     Positions velocity(const Positions& x) const { return (x - origin) / lag; }
-    /// m/s^2.
+    /// Acceleration, m/s^2, for the positions x.
     Positions acceleration(const Positions& x) const { return (velocity(x) - velocity_origin) / lag; }
 };
 

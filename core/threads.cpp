@@ -13,8 +13,8 @@
 namespace sherd {
 namespace {
 
-/// Tells the thread sanitizer, which does not see the synchronization in TBB, that parts run after the code
-/// before the loop and before the code after it.
+/// Tells the thread sanitizer, which does not see the synchronisation in TBB, that the parts of a loop run
+/// after the code before the loop and before the code after the loop.
 class LoopOrder {
   public:
     LoopOrder() { happened(begin); }

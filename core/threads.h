@@ -11,8 +11,9 @@
 
 namespace sherd {
 
-/// A team of threads that share the parts of a loop; copies are the same team. Parts do not depend on the
-/// number of threads, so that the results of each have the same bits with any number.
+/// A team of threads that share the parts of a loop; copies of this object refer to the same team. Loops are
+/// divided into the same parts with any number of threads, so that the results of a part always have the same
+/// bits.
 class Threads {
   public:
     /// count: largest number of threads, this one included; no more are used than the processor runs at once.
@@ -20,18 +21,20 @@ class Threads {
 
     int count() const { return number; }
     /// Calls part(i) for all i from 0 to before `parts`, in any order and several at a time, and returns when
-    /// all are done. An exception in a part ends the loop, and is thrown again.
+    /// all parts are done. An exception in a part ends the loop, and is thrown again.
     void share(Index parts, const std::function<void(Index)>& part) const;
-    /// Calls range(begin, end) for ranges of `length` that together are 0 to before `size`.
+    /// Calls range(begin, end), in any order and several at a time, for ranges of `length` numbers (the last
+    /// one may be shorter) that together cover the numbers from 0 to before `size`.
     template <class Range>
     void share_ranges(Index size, Index length, const Range& range) const {
         share((size + length - 1) / length,
               [&](Index part) { range(part * length, std::min(size, (part + 1) * length)); });
     }
 
-    /// Calls find(i, local) for i from 0 to before `size`, in any order and several at a time, with a `Local`
-    /// that may hold another element's data, and take(first, locals) in this thread, in order, for those of
-    /// each lot.
+    /// Divides the numbers from 0 to before `size` into lots, and processes the lots in order. For each lot
+    /// it first calls find(i, local) for all i in the lot, in any order and several at a time, with a `Local`
+    /// that may still hold another number's data. Then it calls take(first, locals) in this thread, with the
+    /// lot's first number and its `Local`s.
     template <class Local, class Find, class Take>
     void share_lots(std::size_t size, const Find& find, const Take& take) const;
 
@@ -43,7 +46,7 @@ class Threads {
 
 template <class Local, class Find, class Take>
 void Threads::share_lots(std::size_t size, const Find& find, const Take& take) const {
-    // Lots fit into a cache, and are large enough to share; a single thread takes each element at once.
+    // Lots fit into a cache, and are large enough to share; for a single thread each number is a lot.
     const std::size_t of_lot = number == 1 ? 1 : 2048;
     constexpr Index of_part = 64;
     std::vector<Local> locals(std::min(size, of_lot));

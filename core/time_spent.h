@@ -8,7 +8,7 @@
 
 namespace sherd {
 
-/// The tasks on which the computing time of a run is booked.
+/// The tasks between which the computing time of a run is divided.
 enum class Task {
     other,
     elasticity,     ///< energies of bending, membrane, clamps and symmetry planes
@@ -20,13 +20,14 @@ enum class Task {
     breaking        ///< failure of hinges, and opening of the mesh
 };
 
-/// The wall time of each task, every moment counted once, and how often it was begun. It is informative only:
-/// no result may depend on it.
+/// The wall time of each task, with every moment counted for one task only, and the number of times that the
+/// task was begun. This is only for information: no result may depend on it.
 class TimeSpent {
   public:
     /// Time spent on a task, s.
     double on(Task task) const { return std::chrono::duration<double>(spent[index(task)]).count(); }
-    /// Number of stopwatches started on a task; for factorizations and analyses, their number.
+    /// Number of stopwatches started on a task. For Task::factorization and Task::analysis it is the number
+    /// of factorizations and of analyses.
     std::int64_t times(Task task) const { return begun[index(task)]; }
 
   private:
@@ -49,7 +50,7 @@ class TimeSpent {
     Clock::time_point since = Clock::now();
 };
 
-/// Books time on its task while it exists, instead of on the task that it interrupts.
+/// While a stopwatch exists, time counts for its task, and not for the task that it interrupts.
 class Stopwatch {
   public:
     Stopwatch(TimeSpent& time, Task task) : time(time), interrupted(time.change(task)) {

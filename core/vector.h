@@ -18,7 +18,7 @@ using Eigen::VectorXd;
 /// A column for each vertex: positions (m), velocities (m/s) or forces (N).
 using Positions = Eigen::Matrix3Xd;
 
-/// The columns of `vertices` [N]: [3, N].
+/// Returns the columns of `vertices`, [3, N].
 template <std::size_t N>
 Eigen::Matrix<double, 3, static_cast<int>(N)> columns(const Positions& all,
                                                       const std::array<Index, N>& vertices) {
@@ -27,14 +27,14 @@ Eigen::Matrix<double, 3, static_cast<int>(N)> columns(const Positions& all,
     return local;
 }
 
-/// The numbers from 0 to below `count`.
+/// The numbers from 0 to count - 1.
 inline std::vector<Index> numbers_up_to(Index count) {
     std::vector<Index> numbers(static_cast<std::size_t>(count));
     std::iota(numbers.begin(), numbers.end(), 0);
     return numbers;
 }
 
-/// The matrix of the map x -> v x x.
+/// The matrix that maps a vector y to the cross product of v and y.
 inline Matrix3d cross_matrix(const Vector3d& v) {
     Matrix3d matrix;
     matrix << 0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0;

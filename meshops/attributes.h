@@ -13,47 +13,52 @@
 
 namespace sherd {
 
-/// Red, green, blue and opacity, as files have them.
+/// Red, green, blue and opacity, each from 0 to 255.
 using Colour = std::array<std::uint8_t, 4>;
 inline constexpr Colour white{255, 255, 255, 255};
 
-/// The names of the groups of a face, shared by faces that follow each other in the file; null: in no group.
+/// Names of the groups that a face is in; null: none. Faces with no `g` or `o` line between them in an OBJ
+/// file point to the same list.
 using GroupNames = std::shared_ptr<const std::vector<std::string>>;
 
-/// A point in a triangle of the file that a mesh was remeshed from.
+/// Place of a vertex of a remeshed mesh: a point in a triangle of the mesh file.
 struct FileWeights {
-    std::array<std::uint32_t, 3> vertices;  ///< numbers in the file, from 0
-    Eigen::Vector3d weights;                ///< barycentric
+    std::array<std::uint32_t, 3> vertices;  ///< numbers of the corners in the file, from 0
+    Eigen::Vector3d weights;                ///< barycentric weights of the corners
 };
 
-/// Values that a file gives the vertices and faces of a surface, besides their places: each list has an entry
-/// for each vertex or face, or is empty.
+/// Values that a mesh file gives the vertices and faces of a surface, besides positions and corners. Each
+/// list has an entry for each vertex (`vertex_colour`) or for each face (all other lists), or is empty.
 struct SurfaceLook {
     std::vector<FaceTexture> texture = {};
     std::vector<FaceMaterial> material = {};
     std::vector<GroupNames> groups = {};
     std::vector<Colour> face_colour = {};
     std::vector<Colour> vertex_colour = {};
-    std::vector<Eigen::Vector3d> axis = {};  ///< first material axis of each face, of any length
+    std::vector<Eigen::Vector3d> axis = {};  ///< first material axis of each face, not normalised
 
     bool operator==(const SurfaceLook& other) const;
     bool has_colours() const { return !face_colour.empty() || !vertex_colour.empty(); }
-    /// Whether there are materials or colours.
+    /// Whether any face has a material, or there are colours.
     bool paints() const;
-    /// The colour of the vertex, or else of the face; white without colours.
+    /// Returns the colour of the vertex if vertices have colours, else that of the face if faces have
+    /// colours, else white.
     Colour colour(std::size_t face, std::size_t vertex) const;
 };
 
-/// Rule by which new and changed elements of a mesh inherit an attribute. A copy of a vertex always has the
-/// value of its parent.
+/// Rule by which elements (vertices or faces) that a change of a mesh inserts or alters inherit an attribute
+/// from their parents, the elements in their place before the change (see TopologyChange). A copy of a vertex
+/// always has the value of that vertex.
 enum class Inherits {
-    mean,     ///< the mean of the parents by weight; vectors of faces by area, with the length of the main
-              ///< parent; texture coordinates are interpolated in the parent face where the corner lies
-    largest,  ///< the value of the face that gives the largest share of its area
-    nothing   ///< inserted elements have the value missing()
+    mean,  ///< the weighted mean of the parents' values; for vectors of faces the mean by area, scaled to the
+           ///< length of the vector of the first parent, which has the largest share; for texture coordinates
+           ///< the interpolation in the parent face in which the corner lies
+    largest,  ///< for faces: the value of the first parent, of whose area the face has the largest share
+    nothing   ///< inserted vertices get the value missing()
 };
 
-/// Value of an element that an attribute says nothing of, as where two meshes are joined.
+/// Value of an attribute for elements without one, as when a mesh with the attribute is joined with a mesh
+/// without it.
 template <class Value>
 Value missing() {
     if constexpr (std::same_as<Value, FaceTexture>)
@@ -70,25 +75,26 @@ Value missing() {
         return Value();
 }
 
-/// Attribute of the vertices or faces of a mesh: a property map of a Mesh, and a list of a SurfaceLook.
+/// Attribute of the vertices or faces of a mesh: it is a property map in a Mesh and a list in a SurfaceLook.
 template <class Element, class Value, Inherits rule>
 struct Attribute {
     const char* property;                             ///< name of the property map
-    std::vector<Value> SurfaceLook::*list = nullptr;  ///< null: only in meshes
-    /// Property of PLY files; a vector has three, with the suffixes _x, _y and _z. "": none, or properties
-    /// of its own, as for texture coordinates and colours.
+    std::vector<Value> SurfaceLook::*list = nullptr;  ///< null: it is in meshes only
+    /// Name of the property in PLY files; the three properties of a vector have this name with _x, _y and _z
+    /// appended. "": PLY files have none, or separate code reads and writes it, as for texture coordinates
+    /// and colours.
     const char* ply = "";
-    const char* recorded = "";  ///< dataset of a mesh at rest in recordings; "": it is not recorded
-    const char* vtp = "";       ///< array in VTP files
+    const char* recorded = "";  ///< dataset of the mesh at rest in recordings; "": it is not recorded
+    const char* vtp = "";       ///< array in VTP files; "": it is not exported
     const char* unit = "1";
-    const char* meaning = "";  ///< sentence in recordings
+    const char* meaning = "";  ///< sentence that explains the dataset
 
     static Value missing() { return sherd::missing<Value>(); }
 };
 
-/// Table of all attributes. An attribute that has its place here, in SurfaceLook and in
-/// visit_surface_attributes() is read from PLY files, follows cracks and remeshing, is part of checkpoints
-/// and recordings, and is exported.
+/// Table of all attributes. An attribute that is declared here and in SurfaceLook, and that
+/// visit_surface_attributes() visits, follows cracks and remeshing and is part of checkpoints. If it has
+/// names for PLY files, recordings and VTP files, it is also read from PLY files, recorded and exported.
 namespace attribute {
 
 inline constexpr Attribute<Face, FaceTexture, Inherits::mean> texture{
@@ -125,7 +131,7 @@ inline constexpr Attribute<Face, Eigen::Vector3d, Inherits::mean> axis{
     .property = "f:axis", .list = &SurfaceLook::axis, .ply = "axis"};
 /// Number of the vertex in the file, from 0.
 inline constexpr Attribute<Vertex, std::uint32_t, Inherits::nothing> file_vertex{.property = "v:file_vertex"};
-/// Place of the vertex in the file, if the mesh was remeshed.
+/// Place of the vertex in a triangle of the file, if the mesh was remeshed.
 inline constexpr Attribute<Vertex, FileWeights, Inherits::nothing> file_weights{.property = "v:file_weights"};
 
 }  // namespace attribute
@@ -141,7 +147,8 @@ constexpr void visit_surface_attributes(const Visit& visit) {
     visit(attribute::axis);
 }
 
-/// Visits, of these, the attributes of vertices (Vertex) or of faces (Face).
+/// Calls visit(attribute) for each attribute with a list of SurfaceLook whose elements are vertices (Vertex)
+/// or faces (Face), as `Element` says.
 template <class Element, class Visit>
 void visit_attributes_of(const Visit& visit) {
     visit_surface_attributes(
@@ -150,7 +157,7 @@ void visit_attributes_of(const Visit& visit) {
         });
 }
 
-/// Calls visit(attribute) for each attribute of a mesh.
+/// Calls visit(attribute) for each attribute that a mesh may have, with or without a list of SurfaceLook.
 template <class Visit>
 void visit_mesh_attributes(const Visit& visit) {
     visit_surface_attributes(visit);
@@ -158,7 +165,7 @@ void visit_mesh_attributes(const Visit& visit) {
     visit(attribute::file_weights);
 }
 
-/// Values that are plain numbers, written to files one by one.
+/// A type of values that consist of real numbers; in PLY files each number is a property.
 template <class Value>
 concept IsNumbers = std::same_as<Value, double> || std::same_as<Value, Eigen::Vector3d>;
 
@@ -169,7 +176,7 @@ inline std::span<double> numbers_of(Eigen::Vector3d& value) {
     return {value.data(), 3};
 }
 
-/// Names of the properties of PLY files for each of an attribute's numbers.
+/// Returns the names of the properties of PLY files that hold the numbers of an attribute, in their order.
 template <class Element, IsNumbers Value, Inherits rule>
 std::vector<std::string> ply_names(const Attribute<Element, Value, rule>& attribute) {
     const std::string name = attribute.ply;
@@ -179,7 +186,8 @@ std::vector<std::string> ply_names(const Attribute<Element, Value, rule>& attrib
         return {name + "_x", name + "_y", name + "_z"};
 }
 
-/// Visits the attributes of an element that PLY files have as numbers of these names.
+/// Calls visit(attribute) for each attribute of vertices or faces, as `Element` says, that PLY files hold as
+/// numbers with the names of ply_names().
 template <class Element, class Visit>
 void visit_numbers(const Visit& visit) {
     visit_attributes_of<Element>(
@@ -189,7 +197,7 @@ void visit_numbers(const Visit& visit) {
         });
 }
 
-/// Mean of values by weights that sum to 1.
+/// Weighted mean of values. The weights must sum to 1.
 template <class Value>
 class Mean {
   public:
@@ -200,7 +208,7 @@ class Mean {
     Value sum = missing<Value>();
 };
 
-/// Mean of colours, whose parts are rounded.
+/// Weighted mean of colours, whose components are rounded.
 template <>
 class Mean<Colour> {
   public:
@@ -219,21 +227,21 @@ bool is_same(const Value& one, const Value& two) {
     return one == two;
 }
 
-/// The property map of an attribute and whether the mesh has it.
+/// Returns the property map of an attribute and whether the mesh has it; if not, the map is not valid.
 template <class Element, class Value, Inherits rule>
 std::pair<Mesh::Property_map<Element, Value>, bool> find_property(
     const Mesh& mesh, const Attribute<Element, Value, rule>& attribute) {
     return find_property<Element, Value>(mesh, attribute.property);
 }
 
-/// Gives a mesh the property map of an attribute, without values, if it has none yet.
+/// Gives a mesh the property map of an attribute, filled with missing(), if it has none yet. Returns the map.
 template <class Element, class Value, Inherits rule>
 Mesh::Property_map<Element, Value> add_property(Mesh& mesh,
                                                 const Attribute<Element, Value, rule>& attribute) {
     return mesh.add_property_map<Element, Value>(attribute.property, missing<Value>()).first;
 }
 
-/// The vertices or the faces of a mesh.
+/// Returns the vertices or the faces of a mesh.
 template <class Element>
 auto elements(const Mesh& mesh) {
     if constexpr (std::same_as<Element, Vertex>)
@@ -242,11 +250,12 @@ auto elements(const Mesh& mesh) {
         return mesh.faces();
 }
 
-/// The values of a mesh's vertices and faces. rows: [V] row of each vertex in lists of vertices, below
-/// `count`.
+/// Returns the attributes of a mesh as lists. Lists of vertices have `count` entries. rows: [V] number of the
+/// entry of each vertex in these lists.
 SurfaceLook surface_look(const Mesh& mesh, std::span<const std::int32_t> rows, std::size_t count);
 
-/// Adds to a mesh, before `other` is joined to it, the properties that `other` has, without values.
+/// Gives `mesh` the property maps of attributes that `other` has, filled with missing(), so that `other` can
+/// then be joined to it.
 void take_properties(Mesh& mesh, const Mesh& other);
 
 }  // namespace sherd

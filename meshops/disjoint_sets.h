@@ -8,7 +8,7 @@
 
 namespace sherd {
 
-/// Disjoint sets of numbers; each set is represented by its lowest number.
+/// Disjoint sets of the numbers from 0 to count - 1. The lowest number of a set represents it.
 class DisjointSets {
   public:
     explicit DisjointSets(std::size_t count) : parent(count) {

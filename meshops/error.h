@@ -19,7 +19,8 @@ class Error : public std::runtime_error {
     Fault fault;
 };
 
-/// Calls `work` and puts "where: " in front of the messages of its errors.
+/// Calls `work` and returns its result. If it throws an Error, `where` and a colon are put in front of the
+/// message.
 template <class Work>
 auto with_context(const std::string& where, const Work& work) {
     try {

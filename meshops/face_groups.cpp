@@ -11,7 +11,7 @@ std::vector<std::string> group_names(const Mesh& mesh) {
     if (!exists) return names;
     GroupNames last;
     for (const Face face : mesh.faces()) {
-        // Faces that follow each other in the file share their names.
+        // Successive faces with the same groups have a pointer to the same list, which is added once.
         if (groups[face] && groups[face] != last)
             names.insert(names.end(), groups[face]->begin(), groups[face]->end());
         last = groups[face];

@@ -13,7 +13,7 @@
 namespace sherd {
 
 /// The halfedge mesh: an oriented 2-manifold of triangles, with or without boundary, of any number of
-/// components. Vertices, edges and faces are only appended when a crack opens a mesh, so that indices stay
+/// components. When a crack opens a mesh, vertices, edges and faces are only appended, so that indices stay
 /// valid.
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
@@ -27,7 +27,8 @@ using Face = Mesh::Face_index;
 /// mesh.vertices_around_face(mesh.halfedge(f)).
 using FaceTexture = std::array<Eigen::Vector2d, 3>;
 
-/// Result of a query for a property map, from CGAL 5 or CGAL 6, in the form of CGAL 5.
+/// Converts the result of Mesh::property_map(), which is a pair in CGAL 5 and an optional in CGAL 6, to a
+/// pair.
 template <class Map>
 std::pair<Map, bool> found_property(const std::pair<Map, bool>& answer) {
     return answer;
@@ -37,7 +38,7 @@ std::pair<Map, bool> found_property(const std::optional<Map>& answer) {
     return {answer.value_or(Map()), answer.has_value()};
 }
 
-/// The property map `name` of the mesh and whether it exists; if not, the map is not valid.
+/// Returns the property map `name` of the mesh and whether it exists; if not, the map is not valid.
 template <class Element, class Value>
 std::pair<Mesh::Property_map<Element, Value>, bool> find_property(const Mesh& mesh, const char* name) {
     return found_property(mesh.property_map<Element, Value>(name));

@@ -11,7 +11,7 @@
 
 namespace sherd {
 
-/// A face that has all of the given one, two or three vertices; the null face if there is none.
+/// Returns a face that has all of `vertices`, which are one, two or three; the null face if there is none.
 inline Face face_with(const Mesh& mesh, std::span<const std::int32_t> vertices) {
     for (const Face face : mesh.faces_around_target(mesh.halfedge(Vertex(vertices.front())))) {
         if (face == Mesh::null_face()) continue;
@@ -41,19 +41,20 @@ std::array<Vertex, 3> face_corners(const Mesh& mesh, Face face);
 inline std::size_t corner_number(const std::array<Vertex, 3>& corners, Vertex vertex) {
     return std::find(corners.begin(), corners.end(), vertex) - corners.begin();
 }
-std::array<Eigen::Vector3d, 3> face_points(const Mesh& mesh, Face face);  ///< positions of its corners, m
+std::array<Eigen::Vector3d, 3> face_points(const Mesh& mesh, Face face);  ///< positions of face_corners(), m
 /// Twice the area of a triangle times its unit normal, m^2.
 Eigen::Vector3d triangle_normal(const std::array<Eigen::Vector3d, 3>& corners);
-double smallest_angle(const std::array<Eigen::Vector3d, 3>& corners);  ///< rad, of a triangle
+double smallest_angle(const std::array<Eigen::Vector3d, 3>& corners);  ///< smallest angle of a triangle, rad
 
 double mean_edge_at(const Mesh& mesh, Vertex vertex);  ///< mean length of the vertex's edges, m
 
-/// Sizes of a mesh with at least one face: area in m^2, lengths in m.
+/// Sizes of a mesh with at least one face: its area in m^2, and the lengths of its smallest and largest edge
+/// and their mean in m.
 struct MeshMeasures {
     double area = 0;
     double smallest_edge = 0, mean_edge = 0, largest_edge = 0;
-    double smallest_angle = 0;     ///< rad
-    Eigen::Vector3d lower, upper;  ///< corners of the bounding box
+    double smallest_angle = 0;     ///< smallest of the angles of all faces, rad
+    Eigen::Vector3d lower, upper;  ///< corners of the bounding box, m
     int boundary_loops = 0;
 };
 

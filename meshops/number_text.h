@@ -6,7 +6,7 @@
 
 namespace sherd {
 
-/// Appends the shortest text that reads back as the same number.
+/// Appends the shortest text of `value` that reads back as exactly the same number.
 inline void append(std::string& text, double value) {
     char digits[32];
     text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
@@ -18,7 +18,7 @@ inline void append(std::string& text, const char* value) {
     text += value;
 }
 
-/// A number for a message, with four digits.
+/// Returns a number as text for a message, with four significant digits.
 inline std::string number_text(double value) {
     char digits[32];
     return {digits, std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 4).ptr};

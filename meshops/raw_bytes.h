@@ -8,7 +8,7 @@
 
 namespace sherd {
 
-/// The number whose bytes start at `bytes`, in the given byte order.
+/// Returns the number whose bytes, in the given order, start at `bytes`.
 template <class Number>
 Number number_at(const char* bytes, std::endian order) {
     std::array<char, sizeof(Number)> raw;
@@ -25,7 +25,8 @@ void append_number(std::string& bytes, Number number, std::endian order) {
     bytes.append(raw.data(), raw.size());
 }
 
-/// Appends the bytes of a number in the order that STL and the headers of our PLY files promise.
+/// Appends the bytes of a number, the lowest first, as the STL format requires and as the headers of our PLY
+/// files say.
 template <class Number>
 void append_little_endian(std::string& bytes, Number number) {
     static_assert(std::endian::native == std::endian::little, "numbers are written as they are in memory");

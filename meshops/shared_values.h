@@ -8,11 +8,11 @@
 
 namespace sherd {
 
-/// Distinct values of a list, and the number of each entry's value.
+/// The distinct values of a list and, for each entry of the list, the number of its value.
 template <class T>
 struct SharedValues {
-    std::vector<T> rows = {};               ///< in the order of their first entries
-    std::vector<std::int32_t> number = {};  ///< row of each entry, -1: none
+    std::vector<T> rows = {};               ///< distinct values, in the order of their first entries
+    std::vector<std::int32_t> number = {};  ///< number in `rows` of the value of each entry; -1: none
 };
 
 template <class T>
@@ -34,7 +34,8 @@ SharedValues<T> shared_values(const std::vector<std::shared_ptr<const T>>& value
     return shared;
 }
 
-/// The list of these values, in which equal ones are shared. Rows that do not exist are null.
+/// Returns the list again: entries with the same number point to the same value, and entries with the number
+/// -1 are null.
 template <class T>
 std::vector<std::shared_ptr<const T>> listed(const SharedValues<T>& shared) {
     std::vector<std::shared_ptr<const T>> rows, values;

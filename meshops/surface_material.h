@@ -9,18 +9,18 @@ namespace sherd {
 
 /// Appearance of a surface: a material of an OBJ file.
 struct SurfaceMaterial {
-    std::string name;  ///< name in `usemtl`
-    /// Lines between its `newmtl` and the next one of the .mtl, with absolute paths of pictures; empty where
-    /// no .mtl has it.
+    std::string name;  ///< name in `usemtl` lines
+    /// Lines of the .mtl file between the `newmtl` of this material and the next `newmtl`, with absolute
+    /// paths of pictures; empty if no .mtl file defines the material.
     std::string definition = {};
 
     auto operator<=>(const SurfaceMaterial&) const = default;
 };
 
-/// The material of a face, shared by faces that have the same; null: none.
+/// Pointer to the material of a face, which faces of the same material share; null: none.
 using FaceMaterial = std::shared_ptr<const SurfaceMaterial>;
 
-/// Whether two shared values are equal, or both missing.
+/// Whether two pointers are both null, or point to equal values.
 template <class T>
 bool is_same(const std::shared_ptr<const T>& a, const std::shared_ptr<const T>& b) {
     return a == b || (a && b && *a == *b);

@@ -45,7 +45,8 @@ std::vector<ShellCase> chosen_cases(const BenchOptions& options) {
     throw Error(fmt::format("--only {}: no case has this in its name; there are:{}", options.only, names));
 }
 
-/// The variants of a case; with --quick the two coarser meshes, unstructured, with coupled hinges.
+/// The meshes and models with which a case is computed: all or, with --quick, the two coarser unstructured
+/// meshes with coupled hinges.
 std::vector<ShellVariant> variants_of(const ShellCase& one, const BenchOptions& options) {
     std::vector<ShellVariant> variants;
     if (options.quick) return {{one.edges[0]}, {one.edges[1]}};
@@ -141,11 +142,11 @@ int bench_fracture(const BenchOptions& options) {
     return 0;
 }
 
-/// A table with its figure.
+/// The results of an experiment as JSON, and its figure as SVG.
 using Experiment = std::pair<Json, std::string>;
 
-/// Runs an experiment, and writes its figure if one is asked for. Throws Error before the experiment if the
-/// figure cannot be written.
+/// Runs an experiment, and writes its figure if the options name a file for it. Throws Error before the
+/// experiment if this file exists and may not be replaced.
 int bench_speed(const BenchOptions& options, const std::function<Experiment()>& experiment) {
     std::optional<OutputLock> lock;
     if (!options.figure.empty()) {
@@ -214,7 +215,7 @@ int run_bench(const BenchOptions& options) {
 }  // namespace
 }  // namespace sherd
 
-// NOLINTNEXTLINE(bugprone-exception-escape): before errors are reported, only a lack of memory could throw.
+// NOLINTNEXTLINE(bugprone-exception-escape): before run_program(), only a lack of memory could throw.
 int main(int argc, char** argv) {
     using namespace sherd;
     prepare_process();

@@ -17,13 +17,13 @@ namespace {
 
 constexpr double left_margin = 62, right_margin = 16, top_margin = 50, bottom_margin = 42;  // pixels
 
-/// Scale of an axis: [low, high] in its shown unit, from `begin` to `end`.
+/// Scale of an axis, which shows values from `low` to `high` at places from `begin` to `end`.
 struct Scale {
-    UnitPrefix prefix;
-    double low, high;
+    UnitPrefix prefix;  ///< prefix of the unit in the labels
+    double low, high;   ///< in the unit of the labels
     bool logarithmic;
-    double begin, end;  ///< pixels
-    std::vector<double> ticks;
+    double begin, end;          ///< pixels
+    std::vector<double> ticks;  ///< in the unit of the labels
 
     double place(double value) const {
         const double v = value * prefix.factor;
@@ -77,7 +77,7 @@ Scale make_scale(const Chart& chart, int coordinate, double begin, double end) {
     if (high - low <= 1e-12 * std::max(std::abs(high), 1e-30)) high = low + std::max(1.0, std::abs(low));
     scale.ticks = round_ticks(low, high, 6, axis.whole);
     const double spacing = scale.ticks[1] - scale.ticks[0];
-    // The vertical axis ends at round numbers, the horizontal one with the points.
+    // The vertical axis ends at round numbers, the horizontal axis at the outermost points.
     scale.low = coordinate == 0 ? low : std::floor(low / spacing + 1e-9) * spacing;
     scale.high = coordinate == 0 ? high : std::ceil(high / spacing - 1e-9) * spacing;
     if (coordinate == 1) scale.ticks = round_ticks(scale.low, scale.high, 6, axis.whole);
@@ -143,7 +143,7 @@ std::string series_path(const ChartSeries& series, const Scale& x, const Scale& 
     return path;
 }
 
-/// Bars with a stroke across either end.
+/// Bars of the intervals, with a stroke across each end.
 std::string intervals_svg(const ChartSeries& series, const Scale& x, const Scale& y) {
     constexpr double half = 4;  // pixels
     std::string path;
@@ -167,7 +167,7 @@ std::string series_svg(const ChartSeries& series, const Scale& x, const Scale& y
             "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.8\" stroke-linejoin=\"round\"{}/>\n",
             series_path(series, x, y), series.colour, series.dashed ? " stroke-dasharray=\"5 3\"" : "");
     if (!series.dotted) return svg;
-    std::set<std::string> dots;  // without repetitions
+    std::set<std::string> dots;  // each dot once
     for (const Vector2d& point : series.points)
         if (is_shown(point, x, y))
             dots.insert(fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.6\" fill=\"{}\"{}/>\n",

@@ -23,38 +23,38 @@ struct ChartSeries {
     std::string name;
     std::string colour;            ///< as in SVG
     std::vector<Vector2d> points;  ///< in order, in the axes' units; a point that is not finite is a gap
-    bool stepped = false;          ///< whether it keeps its value until the next point
+    bool stepped = false;          ///< whether the line keeps its value until the next point
     bool dashed = false;
     bool dotted = false;                   ///< whether there is a dot at each point
     bool joined = true;                    ///< whether a line joins the points
     bool faint = false;                    ///< whether dots are pale, behind more important ones
-    std::vector<Vector2d> intervals = {};  ///< lower and upper end of a bar at each point; empty: none
+    std::vector<Vector2d> intervals = {};  ///< lower and upper end of a bar at each point; empty: no bars
 };
 
-/// An axis: `unit` is SI; the labels take a prefix that makes the numbers short.
+/// An axis. Its labels add a prefix to the SI unit `unit`, such that their numbers are short.
 struct ChartAxis {
     std::string name;
-    std::string unit = {};  ///< empty: a plain number
+    std::string unit = {};  ///< empty: values without a unit
     bool logarithmic = false;
-    bool whole = false;      ///< whole numbers only
-    bool from_zero = false;  ///< the axis begins at zero
+    bool whole = false;      ///< whether labels are whole numbers only
+    bool from_zero = false;  ///< whether the axis begins at zero, unless there are negative values
 };
 
 struct Chart {
     std::string title;
     ChartAxis x, y;
     std::vector<ChartSeries> series;
-    bool has_legend = true;  ///< whether the names of several lines are above the chart
+    bool has_legend = true;  ///< whether the names of the lines are above the chart if there are several
 };
 
-/// Width of the name of a line in a legend, pixels.
+/// Width that a line of this name takes in a legend, pixels.
 double legend_width(const std::string& name);
 
-/// SVG of the names of lines beside each other, from (left, y) on, in pixels.
+/// SVG of a legend: samples and names of the lines in a row, which starts at (left, y), in pixels.
 std::string legend_svg(std::span<const ChartSeries> series, double left, double y);
 
-/// Returns the points that a line `columns` pixels wide needs: the first, the last and the extremes of each
-/// column.
+/// Returns the points that a line needs if it is drawn over a width of `columns` pixels: about the first, the
+/// last, the lowest and the highest point in each column.
 std::vector<Vector2d> thinned(const std::vector<Vector2d>& points, int columns);
 
 /// An SVG group that shows the chart with its top left corner at (left, top), in pixels.

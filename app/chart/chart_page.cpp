@@ -10,7 +10,7 @@ namespace {
 
 constexpr double heading_height = 44, legend_left = 62, legend_height = 18;  // pixels
 
-/// SVG of the names in as many lines as necessary, and its height, pixels.
+/// Returns SVG of a legend in as many rows as it needs in this width, and its height; lengths are in pixels.
 std::pair<std::string, double> legend_lines(std::span<const ChartSeries> series, double width, double top) {
     std::string svg;
     double y = top;

@@ -41,8 +41,8 @@ void require_no_input(const std::filesystem::path& output, const Scene& scene) {
 
 namespace {
 
-/// Origin of a scene's text, for errors and for the folder of the files that it names. Through a pipe, as
-/// from /dev/stdin, files are named from the working folder.
+/// Path of a scene's text, for messages. Names of files in the scene are relative to its folder: to the
+/// working folder if the text comes through a pipe, as from /dev/stdin.
 std::filesystem::path origin_of(const std::filesystem::path& file) {
     return std::filesystem::is_fifo(file) ? "pipe" : file;
 }

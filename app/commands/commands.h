@@ -16,8 +16,8 @@ struct Scene;
 /// Runs the chosen subcommand once the command line is parsed; returns the exit code.
 using Command = std::function<int()>;
 
-/// Functions that each add a subcommand to `program`. Parsing it sets `chosen`, which must outlive the
-/// parsing.
+/// Functions that each add a subcommand to `program`. If the subcommand is on the command line, parsing sets
+/// `chosen`, which must outlive the parsing.
 void add_run(CLI::App& program, Command& chosen);
 void add_sweep(CLI::App& program, Command& chosen);
 void add_check(CLI::App& program, Command& chosen);
@@ -32,17 +32,17 @@ void add_plot(CLI::App& program, Command& chosen);
 void add_view(CLI::App& program, Command& chosen);
 void add_mesh(CLI::App& program, Command& chosen);
 void add_scenes(CLI::App& program, Command& chosen);
-/// Subcommands that print a text made from all commands that `program` has when they run.
+/// Functions that each add a subcommand, whose output describes all commands that `program` has when it runs.
 void add_completion(CLI::App& program, Command& chosen);
 void add_manual(CLI::App& program, Command& chosen);
 
-/// Choice of a scene on the command line. `file` is as found by find_scene().
+/// Choice of a scene on the command line.
 struct SceneOptions {
-    std::filesystem::path file;
+    std::filesystem::path file;  ///< result of find_scene()
     SceneChoice choice;
 };
 
-/// Adds SCENE.toml, --variant and --set to a subcommand. `options` must outlive the parsing, which throws
+/// Adds SCENE.toml, --variant and --set to a subcommand. `options` must outlive the parsing. Parsing throws
 /// Error if there is no such scene.
 void add_scene_options(CLI::App& command, SceneOptions& options);
 
@@ -53,8 +53,8 @@ std::filesystem::path part_file(const std::filesystem::path& file, const std::st
 /// Throws Error if `output` is the scene's file or a mesh that it reads, which not even --force may replace.
 void require_no_input(const std::filesystem::path& output, const Scene& scene);
 
-/// Reads the scene in the chosen variant; without one, in each of its variants, or as it is if it has none.
-/// Throws Error with the mistakes of all variants.
+/// Returns the scene in the chosen variant. If none is chosen, returns the scene in each of its variants, or
+/// as it is if it has no variants. Throws Error with the mistakes of all variants.
 std::vector<Scene> read_scenes(const SceneOptions& options);
 
 }  // namespace sherd

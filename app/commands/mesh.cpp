@@ -66,8 +66,8 @@ TriangleSheet made(const SheetSpec& sheet, const Scene& scene, bool placed) {
     return mesh;
 }
 
-/// The files to write: one, with an object for each sheet, if the format has objects; else one for each
-/// sheet.
+/// The files to write for a scene: an .obj file with an object for each sheet, or a file of another format
+/// for each sheet.
 std::vector<MeshJob> jobs_of(const Scene& scene, const MeshOptions& options) {
     const std::vector<const SheetSpec*> sheets = chosen_sheets(scene, options.sheet);
     const fs::path file = part_file(options.output, scene.variant);

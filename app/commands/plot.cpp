@@ -93,8 +93,9 @@ Chart strain_chart(const std::vector<StepReport>& steps) {
     return chart;
 }
 
-/// Adds a line, value(step, number) over the steps, for each of the first names: as many as have distinct
-/// colours and room in the legend. which: word for the order of the names.
+/// Adds lines to a chart for the first of these names, as many as have distinct colours and room in the
+/// legend. The line of names[i] is value(step, i) over time. which: word for these lines in the title if
+/// names are left out.
 template <class ValueOf>
 Chart chart_of_names(Chart chart, const std::vector<StepReport>& steps, const std::vector<std::string>& names,
                      ValueOf value, const char* which = "first") {
@@ -124,7 +125,7 @@ Chart reaction_chart(const RecordingHeader& header, const std::vector<StepReport
                           });
 }
 
-/// Adds a chart of the gauges for which `column` is recorded, if there are any. value: computes a point from
+/// Adds a chart of the gauges that record `column`, if there are any. value: computes the plotted number from
 /// a reading.
 template <class ValueOf>
 void add_gauge_chart(std::vector<Chart>& charts, const RecordingHeader& header,
@@ -218,7 +219,7 @@ std::string heading(const Recording& recording, const RecordingHeader& header, c
 struct PlotOptions {
     std::filesystem::path input, output;
     StudyAxes axes;   ///< axes, for the table of a study
-    std::string log;  ///< logarithmic ones: "x", "y" or "xy"
+    std::string log;  ///< names of the logarithmic axes: "x", "y", "xy"; empty: none
     bool force = false;
 };
 

@@ -9,11 +9,12 @@
 
 namespace sherd {
 
-/// Times (s) and total length (m, at rest) of the edges that have failed until then, from 0 to `end`. last:
-/// the last frame.
+/// Points of a chart from time 0 to `end` (s): time, and total length at rest (m) of the edges that have
+/// failed until then. last: the last frame.
 std::vector<Vector2d> crack_length(const Snapshot& last, const CrackEvents& events, double end);
 
-/// Area (m^2, at rest) of each fragment, ascending, and the number of fragments that are as large or larger.
+/// Points of a chart, a point for each fragment: area at rest (m^2), ascending, and number of fragments that
+/// are as large or larger.
 std::vector<Vector2d> fragment_sizes(const Snapshot& last);
 
 /// An SVG picture of a run: energies, fragments, crack length and peak strain over time, fragment sizes in

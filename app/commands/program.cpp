@@ -23,15 +23,16 @@ namespace {
 
 constexpr int done = 0, failed = 1, bad_input = 2;
 
-/// Arrays of whole sheets come and go in every step. Given back to the system each time, their pages would
-/// have to be cleared and mapped again, which takes as long as what is done with them.
+/// Makes malloc() keep freed memory. Every step allocates and frees arrays as long as the sheets. If they
+/// were given back to the system each time, their pages would have to be cleared and mapped again, which
+/// takes as long as the computations with them.
 void keep_freed_memory() {
     constexpr int largest_kept = 1 << 27, most_kept = 1 << 30;  // bytes
     ::mallopt(M_MMAP_THRESHOLD, largest_kept);
     ::mallopt(M_TRIM_THRESHOLD, most_kept);
 }
 
-/// Opens closed standard streams on /dev/null, so that no file gets their numbers.
+/// Opens closed standard streams on /dev/null, so that no other file gets their descriptors.
 void keep_standard_streams() {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", O_RDONLY);

@@ -29,7 +29,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Reads two numbers, and nothing else. format: of sscanf(), with %n at the end.
+/// Returns the two numbers of a text; none if the text is not two numbers in this format. format: for
+/// sscanf(), with %n at the end.
 template <class Number>
 std::optional<std::pair<Number, Number>> parse_pair(const std::string& text, const char* format) {
     std::pair<Number, Number> pair;
@@ -72,8 +73,8 @@ StageOptions stage_options(const RenderOptions& options, const PictureOptions& p
     return stage;
 }
 
-/// The file of each picture; none if only a film is asked for. Pictures of a film have numbers of their own,
-/// and a name that differs from that of frames.
+/// The files of the pictures; none if only a film is wanted. Pictures of frames are numbered as the frames.
+/// Pictures of a film are numbered from 0, and have another name, with `_film`.
 std::vector<fs::path> planned_files(const RenderOptions& options, const std::vector<PlaybackTime>& moments) {
     if (options.output.empty()) {
         if (options.film.empty()) throw Error("nothing to draw into: give -o PATH, or --film FILE.mp4");
@@ -92,8 +93,8 @@ std::vector<fs::path> planned_files(const RenderOptions& options, const std::vec
     return files;
 }
 
-/// The moments to draw: the chosen frames, or moments at equal intervals from the first to the last of them
-/// for a film. `pace` is set to the speed of the film, in words.
+/// The moments to draw: the chosen frames or, for a film, moments at equal intervals from the first to the
+/// last chosen frame. Sets `pace` to the speed of the film, in words.
 std::vector<PlaybackTime> planned_moments(const RenderOptions& options, const Recording& recording,
                                           std::string& pace) {
     const bool film = !options.film.empty();
@@ -114,8 +115,8 @@ void check_pace(const RenderOptions& options) {
         throw Error(fmt::format("{} needs --film", options.slow.factor ? "--slow" : "--rate"));
 }
 
-/// The name to lock while pictures are drawn: the single file, or the common name of all without their
-/// numbers.
+/// The path that is locked while pictures are drawn: the file of a single picture, or the common name of all
+/// files without a number.
 fs::path whole_output(const RenderOptions& options) {
     if (options.output.extension() == ".png") return options.output;
     return options.output / fmt::format("{}.png", options.recording.stem().string());
@@ -127,7 +128,7 @@ void write_whole(const fs::path& file, const std::string& bytes, const OutputLoc
     pending.publish(force);
 }
 
-/// Draws a colour bar, and a caption with the time, into a picture of a scalar.
+/// Draws a colour bar, and a caption with the time, into a picture that shows a scalar, if there is room.
 void annotate(Image& image, const RenderStage& stage, const Snapshot& frame, const RenderOptions& options) {
     const std::optional<ColourBar> bar = stage.colour_bar();
     if (!bar || options.plain || !fits_colour_bar(image.width, image.height)) return;

@@ -16,14 +16,14 @@ struct RenderOptions {
     std::string colour = "fragment";  ///< name in render_colours
     std::string range;                ///< LOW:HIGH of the coloured scalar; empty: range of the recording
     std::string size = "960x540";     ///< WxH, pixels
-    int samples = 32;                 ///< per pixel
+    int samples = 32;                 ///< number of samples per pixel
     std::string camera = "20,28";     ///< text for parse_camera()
-    std::string ground = "auto";      ///< auto, none
-    bool plain = false;               ///< without colour bar and caption
-    std::filesystem::path film;       ///< .mp4; empty: none
+    std::string ground = "auto";      ///< "auto" or "none"
+    bool plain = false;               ///< whether colour bar and caption are left out
+    std::filesystem::path film;       ///< file of a film, .mp4; empty: none
     SlowMotion slow;                  ///< speed of the film, whose pictures lie at and between frames
-    int threads = 0;                  ///< 0: as many as the processor runs at once
-    bool force = false;               ///< replace files that exist
+    int threads = 0;                  ///< number of threads; 0: as many as the processor runs at once
+    bool force = false;               ///< whether existing files are replaced
 };
 
 struct Rendering {
@@ -33,8 +33,8 @@ struct Rendering {
 };
 
 /// Draws frames of a recording, or the pictures of a film. Throws Error (input), before anything is written,
-/// on a bad recording or option and on files that exist, and (run) if a file cannot be written, naming the
-/// complete ones.
+/// on a bad recording or option and on files that exist, and (run) if a file cannot be written, with the
+/// number of complete pictures.
 Rendering render_recording(const RenderOptions& options);
 
 }  // namespace sherd

@@ -23,8 +23,8 @@ constexpr int most_steps = 3;
 constexpr double patience = 3;  // s, after which no further step is tried
 constexpr double day = 86400;   // s
 
-/// Memory, bytes, of a simulation of unfractured sheets, most of it the factors of Newton's matrix: fitted to
-/// plates of 2,739 and 10,359 faces, without contact.
+/// Memory, bytes, of a simulation of unfractured sheets with this many faces. Most of it is for factors of
+/// Newton's matrix. The formula is fitted to plates of 2,739 and 10,359 faces, without contact.
 double guessed_memory(double faces) {
     return 40e6 + 900 * faces * std::log2(std::max(2.0, faces));
 }
@@ -88,8 +88,8 @@ TriedSteps try_steps(const Scene& scene, BuiltScene built) {
             // A halved step is only part of a step of the scene.
             const double whole = (seconds() - begin) * scene.simulation.stepper.step / report.step_size;
             if (tried.count++ == 0) tried.first = whole;
-            // The cheapest counts: the first step sets up the solver, and in few steps of a run anything
-            // fails.
+            // The cheapest step counts: the first step also sets up the solver, and steps in which something
+            // fails take longer, but are few in most runs.
             tried.later = std::min(tried.later, whole);
         }
     } catch (const std::exception& error) {

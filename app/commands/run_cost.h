@@ -14,28 +14,28 @@ namespace sherd {
 /// Measurement of the first steps of a scene.
 struct TriedSteps {
     int count = 0;
-    double first = 0, later = 0;  ///< s of wall time for the first step and for each later one
-    std::string failure;          ///< reason for which a step failed; empty: none did
-    StepReport peaks;             ///< largest of these steps: raise_peaks()
+    double first = 0, later = 0;  ///< s, wall time of the first step, and expected of each later step
+    std::string failure;          ///< why a step failed; empty: none failed
+    StepReport peaks;             ///< only the peaks of these steps are set: raise_peaks()
 };
 
 /// Estimated cost of a run.
 struct RunCost {
     std::int64_t steps = 0, frames = 0;
-    double recording = 0;       ///< bytes, for the unfractured mesh
-    double seconds = 0;         ///< s of wall time; 0 without trial steps
-    double memory = 0;          ///< bytes, estimated from the size of the mesh
-    double peak_memory = 0;     ///< bytes, of this program so far; 0 without trial steps
-    double machine_memory = 0;  ///< bytes
+    double recording = 0;       ///< bytes, size of the recording if nothing breaks
+    double seconds = 0;         ///< s, wall time; 0 without trial steps
+    double memory = 0;          ///< bytes, memory as estimated from the size of the mesh
+    double peak_memory = 0;     ///< bytes, largest memory of this program so far; 0 without trial steps
+    double machine_memory = 0;  ///< bytes, memory of the machine
 };
 
 /// Estimates the cost without trial steps.
 RunCost run_cost(const Scene& scene, const BuiltScene& built);
 
-/// Does up to three steps, and starts none after some seconds.
+/// Makes and measures up to three steps of the scene; begins no further step after some seconds.
 TriedSteps try_steps(const Scene& scene, BuiltScene built);
 
-/// Adds the measurements of trial steps.
+/// Adds the time and the memory that trial steps have shown.
 void add(RunCost& cost, const TriedSteps& tried);
 
 /// The cost as text.

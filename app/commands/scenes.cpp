@@ -23,7 +23,7 @@ struct ScenesOptions {
     fs::path folder = ".";
     bool force = false, json = false, schema = false, markdown = false;
     std::string settable;             ///< a scene whose dotted keys are listed; empty: none
-    std::optional<std::string> keys;  ///< a table or a key; empty: all of them
+    std::optional<std::string> keys;  ///< table or key that is described; "": all keys; none: not wanted
 };
 
 void print_list(const std::vector<ShippedScene>& scenes) {
@@ -59,7 +59,7 @@ void print_settable(const std::string& given) {
     for (const std::string& line : settable_lines(sheets, obstacles)) print_result("{}\n", line);
 }
 
-/// Copies a scene and the files that it names into a folder, and prints their names there.
+/// Copies a scene and the files that it names into a folder, and prints the paths of the copies.
 void copy_scene(const ShippedScene& scene, const ScenesOptions& options) {
     std::vector<fs::path> files = files_of_scene(scene.file);
     files.insert(files.begin(), scene.file.filename());

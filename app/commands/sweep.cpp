@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 /// The command line of `sherd sweep`.
 struct SweepOptions {
     fs::path study, folder;
-    int jobs = 0;  ///< 0: as many as the processor runs at once; in a task of Slurm, 1
+    int jobs = 0;  ///< rows at a time; 0: as many as the processor runs at once, 1 in a task of Slurm
     bool quick = false, retry = false, slurm = false, status = false, collect = false;
     std::string rows;  ///< FIRST-LAST; empty: all
     SlurmOptions on_slurm;
@@ -51,7 +51,8 @@ struct Sweep {
     fs::path folder;
 };
 
-/// Reads FIRST-LAST as the half-open range [FIRST, LAST + 1). Throws Error unless it has rows of the study.
+/// Reads FIRST-LAST as the half-open range [FIRST, LAST + 1), cut at the number of rows `count`; an empty
+/// text is all rows. Throws Error unless the range has rows of the study.
 std::pair<std::size_t, std::size_t> row_range(const std::string& text, std::size_t count) {
     if (text.empty()) return {0, count};
     const std::vector<std::string> ends = split(text, '-');
@@ -99,7 +100,8 @@ std::string rows_words(const SweepState& state, std::size_t count) {
                        state.failed.size(), count - state.done - state.failed.size());
 }
 
-/// Runs the missing ones of the chosen rows. Returns false if it was interrupted.
+/// Runs those of the chosen rows that are missing or, with --retry, failed. Returns false after an
+/// interruption.
 bool run_rows(const Sweep& sweep, const SweepOptions& options) {
     const auto [begin, end] = row_range(options.rows, sweep.rows.rows.size());
     const fs::path file = journal_file(sweep.folder, begin, end);
@@ -137,8 +139,8 @@ int end_of_sweep(const Sweep& sweep, bool complete) {
     return 0;
 }
 
-/// Cost of a row, estimated by the first steps of the first and the last missing row on this machine: the
-/// larger of both.
+/// Estimated cost of a row: the larger cost of the first and the last missing row, as estimated from their
+/// first steps on this machine.
 RowCost estimated_row_cost(const StudyRows& rows, const std::vector<std::size_t>& missing) {
     RowCost largest;
     for (const std::size_t row : {missing.front(), missing.back()}) {

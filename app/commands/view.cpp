@@ -56,13 +56,14 @@ std::string filled(std::string_view page, std::initializer_list<Filling> filling
     return text;
 }
 
-// Approximate size of a vertex in the page, in base64: in each frame, and its two faces once.
+// Approximate bytes in the page, in base64: for a vertex in each frame, and once for the two faces of each
+// vertex.
 constexpr double frame_bytes = (3 * 2 + 1 + 1) * 4 / 3.0, face_bytes = 2 * (3 + 1 + 1) * 4 * 4 / 3.0;
-constexpr double point_bytes = 3 * 4 * 4 / 3.0;  // per frame, for an obstacle that deforms
+constexpr double point_bytes = 3 * 4 * 4 / 3.0;  // for a point of a deforming obstacle, in each frame
 // The mesh is thinned if fewer frames than this fit.
 constexpr std::size_t enough_frames = 20;
 
-/// The thinning with which enough frames fit into `most_bytes`; none if they do without.
+/// The thinning of the mesh with which enough frames fit into `most_bytes`; none if all vertices fit.
 std::optional<MeshThinning> thinning_for(const Recording& recording, double most_bytes) {
     const RecordingHeader header = recording.header();
     const Snapshot last = recording.frame(recording.frame_count() - 1);
@@ -78,8 +79,9 @@ std::optional<MeshThinning> thinning_for(const Recording& recording, double most
     }
 }
 
-/// Materials and colours for the page; none if the recording has none or, with a warning, if the mesh is
-/// thinned or they do not fit beside enough frames. Texture pictures get at most a quarter of the bytes.
+/// Materials and colours for the page. Returns none if the recording has none, and, with a warning, if the
+/// mesh is thinned or if they do not fit beside enough frames. Texture pictures get at most a quarter of
+/// `most_bytes`.
 std::optional<PageLook> look_for(const Recording& recording, const Snapshot& last, bool thinned,
                                  double most_bytes, std::vector<std::string>& warnings) {
     const SurfaceLook look = recording.header().rest_look;

@@ -13,9 +13,9 @@ struct ViewOptions {
     std::filesystem::path output;  ///< .html; empty: the recording's name, with this extension
     std::optional<double> slow;    ///< factor of slow motion; none: default_slowdown()
     std::string colour;            ///< name in view_colours; empty: strain
-    double megabytes = 64;         ///< size of the data; above, frames are left out, then the mesh is thinned
-    bool plain = false;            ///< without colour bar and caption
-    bool force = false;            ///< replace a file that exists
+    double megabytes = 64;         ///< MB of data, for which frames are left out and the mesh is thinned
+    bool plain = false;            ///< whether colour bar and caption are left out
+    bool force = false;            ///< whether an existing file is replaced
 };
 
 /// An HTML page that plays a recording in a browser, from a file and without a network. Warns if frames,

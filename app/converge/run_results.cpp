@@ -21,8 +21,8 @@ namespace {
 /// Largest readings of a gauge.
 struct LargestReading {
     double displacement = 0;                    ///< m
-    std::optional<double> stress = {};          ///< Pa, largest_stress()
-    double curvature = 0, membrane_strain = 0;  ///< 1/m, 1; principal, of largest magnitude, signed
+    std::optional<double> stress = {};          ///< Pa, largest_stress(); none before the first reading
+    double curvature = 0, membrane_strain = 0;  ///< 1/m and 1, principal values of largest magnitude, signed
 
     void add(const GaugeReading& reading) {
         displacement = std::max(displacement, reading.displacement.norm());
@@ -37,7 +37,7 @@ struct LargestReading {
     }
 };
 
-/// Largest readings of gauges, and largest forces of supports.
+/// Largest readings of gauges, and largest forces of supports and obstacles.
 class LargestReadings : public RunObserver {
   public:
     void stepped(const StepReport& report, const CrackEvents&) override {

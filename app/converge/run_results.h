@@ -19,14 +19,15 @@ struct RunResults {
     std::size_t faces = 0;
     std::int64_t steps = 0, cracks = 0;
     double seconds = 0;  ///< s, wall time
-    /// For each gauge the readings that it records: displacement, principal stress, curvature and membrane
-    /// strain at the end and the largest one, and the components of the last three at the end. For each
-    /// support and obstacle its largest force. Then the elastic energy at the end, the peaks of hinges and,
-    /// in statics, the largest load and the load before its first decrease.
+    /// For each gauge, as far as it records them, the displacement, the principal stress, the principal
+    /// curvature and the principal membrane strain, each at the end and at its largest, and the components of
+    /// stress, curvature and membrane strain at the end. For each support and obstacle its largest force.
+    /// Then the elastic energy at the end, the peaks of hinges and, in statics, the largest load and the load
+    /// before its first decrease.
     std::vector<Quantity> quantities;
 };
 
-/// Runs the scene. Throws what a run throws.
+/// Runs the scene. Throws the errors of build_scene() and Runner::run().
 RunResults results_of(const Scene& scene);
 
 /// Returns the scene with the edges of all its meshes `times` as long. Throws Error if a mesh comes from a

@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double smooth_cosine = 0.87;  // between a side of the rim and the mean of both: 30 degrees
+constexpr double smooth_cosine = 0.87;  // 30 degrees between a normal of the rim and the mean at a point
 
 Vector3d unit(const Vector3d& vector) {
     const double length = vector.norm();
@@ -41,7 +41,8 @@ class NormalsOfSheet {
     Shading shading(std::size_t t) const {
         return sheet.shading.empty() ? Shading::smooth : sheet.shading[t];
     }
-    /// Returns the other triangle of a quadrilateral: quadrilaterals follow all other triangles, in pairs.
+    /// Returns the other triangle of a quadrilateral of the rim or of a crack face. Quadrilaterals are pairs
+    /// of triangles that follow all other triangles.
     std::size_t partner(std::size_t t) const {
         const bool is_second = (sheet.triangles.size() - t) % 2 == 1;
         return is_second ? t - 1 : t + 1;
@@ -60,8 +61,8 @@ class NormalsOfSheet {
 
     std::span<const Vector3d> points;
     const TriangleSheet& sheet;
-    std::vector<Vector3d> side, rim;  ///< sums of normals at points
-    std::vector<Vector3d> flat;       ///< [T] normals, twice the area long
+    std::vector<Vector3d> side, rim;  ///< [P] sums of the normals of the sides, and of the rim, at each point
+    std::vector<Vector3d> flat;       ///< [T] normals of the triangles, as long as twice their area
 };
 
 }  // namespace

@@ -12,7 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Creates the folder of the files if the output names one.
+/// Creates `folder`, the folder of the files, if options.output is this folder. Throws Error (input) if it
+/// does not exist then.
 void prepare_folder(const ExportOptions& options, const fs::path& folder) {
     std::error_code reason, unreadable;
     if (folder.empty() || fs::is_directory(folder, unreadable)) return;

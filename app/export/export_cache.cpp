@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Point caches at an even rate, pc2 and mdd: of the sheets, whose topology is that of the last frame, and of
-// each obstacle that moves.
+// Point caches at an even rate, in the formats pc2 and mdd: a cache of the sheets, with the vertices and
+// faces of the last frame, and a cache of each obstacle that moves.
 #include <fmt/format.h>
 
 #include <functional>
@@ -20,8 +20,8 @@ namespace {
 /// Content of a cache: positions of the same points at several moments.
 struct PointTrack {
     TriangleSheet mesh;                                        ///< mesh of the cache, without its points
-    std::vector<double> times;                                 ///< s, of the samples, as shown
-    std::function<std::vector<Vector3d>(std::size_t)> points;  ///< [P] m, of a sample
+    std::vector<double> times;                                 ///< s, times of the samples in slow motion
+    std::function<std::vector<Vector3d>(std::size_t)> points;  ///< returns the points of a sample, [P] m
 };
 
 std::string with_points(std::string head, const PointTrack& track, std::endian order) {
@@ -53,7 +53,7 @@ struct CachePlan {
     std::string (*content)(const PointTrack& track);
     std::vector<ExportJob> jobs = {};
 
-    /// Adds a mesh, and its cache if it moves.
+    /// Adds the files of a mesh and, if `moves`, of its cache. suffix: end of their names.
     void add(const PointTrack& track, const std::string& suffix, bool moves) {
         const std::filesystem::path mesh = source.clip_file(suffix + ".obj");
         if (has_material_file(track.mesh, mesh))

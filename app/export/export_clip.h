@@ -6,15 +6,16 @@
 
 namespace sherd {
 
-/// Moments of a run on the topology of the last chosen frame. Before a crack forms, the vertices that it will
-/// split coincide with their parent, and the parts of a face that it will split lie flat in that face.
+/// A run at several moments, with the vertices and faces of the last chosen frame at all of them. Before a
+/// crack forms, the vertices that it will split coincide with their parent, and the parts of a face that it
+/// will split lie flat in that face.
 class Clip {
   public:
-    /// moments: at or between the chosen frames; the last moment is the last frame.
+    /// moments: times of the chosen frames or between them; the last moment is the last chosen frame.
     Clip(ExportSource& source, std::vector<PlaybackTime> moments);
 
     std::size_t size() const { return moments.size(); }
-    /// Returns the last frame, a solid if the options ask for it; groups are fragments.
+    /// Returns the sheets in the last frame, as solids if the options ask for it; groups are fragments.
     const TriangleSheet& topology() const { return last; }
     double time(std::size_t i) const { return moments[i].time; }  ///< s, of the i-th moment
     /// Returns the positions of the vertices of the last frame at the i-th moment: [V] m.

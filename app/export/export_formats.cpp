@@ -59,7 +59,7 @@ void check_values(const ExportOptions& options) {
     check_slow_motion(options.slow);
 }
 
-/// Throws Error (input) on an option without effect, which is a mistake.
+/// Throws Error (input) on an option that has no effect on the format. standard: the default options.
 void check_use(const ExportOptions& options, const ExportOptions& standard) {
     const auto require = [](bool holds, const char* option, const char* use) {
         if (!holds) throw Error(fmt::format("{} is used {} only", option, use));

@@ -9,10 +9,10 @@ namespace sherd {
 struct ExportFormat {
     const char* name;       ///< name in --to
     const char* extension;  ///< extension in -o
-    bool all_frames;        ///< default selection: all frames, or the last
+    bool all_frames;        ///< whether all frames are selected by default, instead of the last one
     bool fragments, solid;  ///< whether it supports these options
     bool bodies;            ///< whether it always writes solids
-    /// Returns the files to be written, in this order. The jobs refer to the source.
+    /// Returns the files to be written, in this order. The source must outlive the jobs.
     std::vector<ExportJob> (*plan)(ExportSource& source);
 };
 
@@ -21,10 +21,10 @@ struct ExportFormat {
 const ExportFormat& export_format(const ExportOptions& options);
 std::string export_format_names();  ///< "obj, ply, ..."
 
-/// Returns the content of a mesh file, by its extension if a format has several.
+/// Returns the content of a mesh file, in the format of its extension.
 using MeshContent = std::string (*)(const TriangleSheet& sheet, const std::filesystem::path& file);
 
-/// Adds a file for each obstacle in a frame: NAME_000007_obstacle_ram.ply.
+/// Adds a job to `jobs` for a file of each obstacle in a frame: NAME_000007_obstacle_ram.ply.
 void add_obstacle_files(ExportSource& source, std::size_t frame, const std::string& extension,
                         MeshContent content, std::vector<ExportJob>& jobs);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tables of the fragments, for use in another physics engine.
+// Tables of the fragments, and a mesh of each, for use in another physics engine.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

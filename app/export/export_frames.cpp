@@ -13,10 +13,10 @@ namespace sherd {
 
 namespace {
 
-/// A selection of frames, and the data for messages on it.
+/// A selection of frames as text.
 struct FrameWords {
     const std::string& text;
-    std::int64_t count;
+    std::int64_t count;  ///< number of frames in the recording
 
     [[noreturn]] void fail(const std::string& why) const {
         throw Error(
@@ -34,7 +34,7 @@ struct FrameWords {
         return value;
     }
 
-    /// Index of a frame; negative numbers count from the end.
+    /// Index of the frame with this number; negative numbers count from the end.
     std::size_t frame(const std::string& word) const {
         const std::int64_t value = number(word), index = value < 0 ? value + count : value;
         if (index < 0 || index >= count)
@@ -43,7 +43,7 @@ struct FrameWords {
         return static_cast<std::size_t>(index);
     }
 
-    /// Bound of a range, limited to the frames.
+    /// Bound of a range, limited to 0 to `count`; the value `otherwise` if the word is empty.
     std::int64_t bound(const std::string& word, std::int64_t otherwise) const {
         if (word.empty()) return otherwise;
         const std::int64_t value = number(word);

@@ -20,7 +20,7 @@ namespace sherd {
 
 namespace {
 
-/// Colours of split points: those of vertices, or else of faces.
+/// Colours of split points: the colours of the vertices or, if there are none, of the faces.
 std::vector<Colour> colours(const TriangleSheet& sheet, const SplitPoints& split) {
     if (!sheet.look.vertex_colour.empty()) return gathered(sheet.look.vertex_colour, split.points);
     std::vector<Colour> colours;
@@ -29,7 +29,7 @@ std::vector<Colour> colours(const TriangleSheet& sheet, const SplitPoints& split
     return colours;
 }
 
-/// Adds attributes of vertices that are plain numbers, with capitals as in glTF.
+/// Adds the attributes of vertices that are plain numbers, with names in capital letters, as in glTF.
 void add_numbers(const SurfaceLook& look, const SplitPoints& split, GlbNode& node) {
     visit_numbers<Vertex>([&](const auto& attribute) {
         const auto& list = look.*attribute.list;
@@ -58,7 +58,7 @@ Vector3d centroid(const std::vector<Vector3d>& points) {
     return matrix_of(points).rowwise().mean();
 }
 
-/// The rigid motion that takes `from` nearest to `to` (Umeyama 1991).
+/// The rigid motion that takes the points `from` nearest to the points `to` in least squares (Umeyama 1991).
 Eigen::Isometry3d best_fit(const std::vector<Vector3d>& from, const std::vector<Vector3d>& to) {
     const bool with_scaling = false;
     Eigen::Isometry3d motion;
@@ -86,9 +86,9 @@ class Animation {
     ExportSource& source;
     Clip& clip;
     double slowdown;
-    std::vector<TriangleSheet> parts;                ///< the fragments
-    std::vector<SplitPoints> split;                  ///< split points of each part
-    std::vector<std::vector<std::size_t>> vertices;  ///< vertices of each fragment
+    std::vector<TriangleSheet> parts;                ///< mesh of each fragment
+    std::vector<SplitPoints> split;                  ///< split points of each fragment
+    std::vector<std::vector<std::size_t>> vertices;  ///< numbers of the vertices of each fragment
     std::vector<std::vector<Vector3d>> local;  ///< m, positions of `vertices` about the fragment's centroid
 };
 
@@ -136,7 +136,7 @@ GlbShape Animation::shape_of(std::size_t fragment, const std::vector<Vector3d>& 
             at_points(split[fragment], corner_normals(points, parts[fragment]))};
 }
 
-/// Gives each node the last frame's shape about its centroid.
+/// Gives the node of each fragment a single shape: that of the last frame, with its centroid at the origin.
 void Animation::add_bodies(GlbScene& scene) {
     const std::size_t last = clip.size() - 1;
     const std::vector<Vector3d> sheet_points = clip.sheet_points(last), points = clip.points(last);
@@ -171,7 +171,7 @@ void Animation::add_motions(GlbScene& scene) {
     warn_of_deviation(deviation);
 }
 
-/// Warns if the recording deviates visibly from rigid motions. deviation: m.
+/// Warns if the recording deviates visibly from rigid motions. deviation: largest distance from them, m.
 void Animation::warn_of_deviation(double deviation) {
     const Positions all = matrix_of(clip.sheet_points(clip.size() - 1));
     const double size = (all.rowwise().maxCoeff() - all.rowwise().minCoeff()).norm();
@@ -192,8 +192,8 @@ void Animation::add_shapes(GlbScene& scene) {
     }
 }
 
-/// Adds each obstacle as a node about its middle, about which it turns between frames; a deforming obstacle
-/// has a shape for each frame.
+/// Adds a node for each obstacle. Its origin is the obstacle's middle, about which the obstacle turns between
+/// frames. A deforming obstacle has a shape for each frame instead of motions.
 void Animation::add_obstacles(GlbScene& scene) {
     const std::vector<ExportObstacle>& obstacles = source.obstacles();
     const std::size_t first = scene.nodes.size();

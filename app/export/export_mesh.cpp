@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The formats of a single mesh: obj, ply, stl.
+// The formats with a single mesh in each file: obj, ply, stl.
 #include "app/export/corner_normals.h"
 #include "app/export/export_formats.h"
 #include "app/export/export_sheet.h"
@@ -14,7 +14,7 @@ std::string stl_content(const TriangleSheet& sheet, const std::filesystem::path&
     return stl_bytes(sheet);
 }
 
-/// Plans a file for each frame, or for each fragment of each frame, and for each obstacle in it.
+/// Plans, for each frame, a file of the sheets or of each fragment, and a file of each obstacle.
 std::vector<ExportJob> plan_files(ExportSource& source, const std::string& extension, MeshContent content) {
     std::vector<ExportJob> jobs;
     const auto add = [&](std::size_t number, const std::filesystem::path& file,

@@ -41,7 +41,8 @@ std::vector<double> face_speed(const Snapshot& frame) {
     return result;
 }
 
-/// The look of a frame's own vertices and faces, with names of groups of one word.
+/// The look of the frame's vertices and faces: vertices get the values of the vertices of which they are
+/// copies, and each name of a group becomes a single word.
 SurfaceLook frame_look(const Snapshot& frame) {
     SurfaceLook look = frame.rest.look;
     visit_attributes_of<Vertex>([&](const auto& attribute) {

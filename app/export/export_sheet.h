@@ -9,7 +9,7 @@
 
 namespace sherd {
 
-std::string fragment_name(std::size_t fragment);  ///< fragment_007
+std::string fragment_name(std::size_t fragment);  ///< "fragment_007"
 std::size_t fragment_count(const Snapshot& frame);
 
 /// Returns all faces and vertices of a frame, in their order; the groups are the fragments.
@@ -21,10 +21,10 @@ std::vector<std::size_t> group_points(const TriangleSheet& sheet, std::int32_t g
 /// Returns the triangles of one group with the points that they use, in their order.
 TriangleSheet group_part(const TriangleSheet& sheet, std::int32_t group);
 
-/// Returns a number for each face [F]: `strain`, the largest of the hinges at its edges in absolute value
-/// (1/m), `speed`, the mean of its vertices (m/s), `stress`, the largest principal one of both surfaces (Pa),
-/// `curvature`, the principal one of largest magnitude (1/m, signed), or `fragment`. Throws Error (input)
-/// when the frame does not have the field.
+/// Returns the quantity `name` of each face [F]: `strain`, the largest magnitude of the strain of the hinges
+/// at its edges (1/m); `speed`, the mean speed of its vertices (m/s); `stress`, the largest principal stress
+/// at its two surfaces (Pa); `curvature`, the principal curvature of largest magnitude (1/m, signed); or
+/// `fragment`, the number of its fragment. Throws Error (input) if the frame does not have the field.
 std::vector<double> face_quality(const Snapshot& frame, const std::string& name);
 
 /// Returns values[chosen[0]], values[chosen[1]], and so on.

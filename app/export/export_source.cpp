@@ -21,12 +21,12 @@
 namespace sherd {
 namespace {
 
-/// A side of a face that a crack has opened.
+/// A side of a face that a crack has opened. In the body it is a quadrilateral of two triangles.
 struct BrokenSide {
-    Index from, to;
+    Index from, to;            ///< vertices of the frame
     double length, thickness;  ///< m
-    std::size_t triangle;      ///< index of the first of its two triangles in the body
-    double start = -1;         ///< m, u at `from`; below 0: unknown
+    std::size_t triangle;      ///< index of the first of the two triangles in the body
+    double start = -1;         ///< m, texture coordinate u at the end `from`; below 0: not known yet
 };
 
 std::vector<BrokenSide> broken_sides(const Snapshot& frame, std::span<const double> thickness) {
@@ -46,7 +46,8 @@ std::vector<BrokenSide> broken_sides(const Snapshot& frame, std::span<const doub
     return sides;
 }
 
-/// Sets u at all sides. It begins at an end of a crack, or anywhere on a closed one.
+/// Sets `start` of all sides, such that the texture coordinate u is continuous along each row of sides. It is
+/// 0 where a row begins; a row that is a closed loop begins at any of its sides.
 void set_starts(std::vector<BrokenSide>& sides) {
     std::map<Index, std::size_t> at;
     std::map<Index, int> ends;
@@ -89,10 +90,10 @@ void give_material(std::vector<BrokenSide>& sides, std::size_t points, TriangleS
         }
 }
 
-/// Shades the sides of a solid along cracks flat. With materials, gives these sides their own material,
-/// `inside`, and texture coordinates in m: u along the side at rest, continuous from face to face, and v
-/// through the thickness, from the lower side to the upper one. Other triangles keep theirs, or have no
-/// material. body: result of thickened() for the frame's faces; thickness: [F] m.
+/// Shades the sides of a solid along cracks flat. If `with_materials`, gives these sides a material of their
+/// own, `inside`, and texture coordinates in m: u along the side at rest, continuous from face to face, and v
+/// through the thickness, from 0 at the lower surface of the sheet. Other triangles keep their material and
+/// texture coordinates, if any. body: result of thickened() for the frame's faces; thickness: [F] m.
 void finish_broken_sides(const Snapshot& frame, std::span<const double> thickness, bool with_materials,
                          TriangleSheet& body) {
     std::vector<BrokenSide> sides = broken_sides(frame, thickness);

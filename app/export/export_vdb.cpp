@@ -14,11 +14,11 @@ namespace sherd {
 
 namespace {
 
-/// Largest number of voxels, some gigabytes of memory.
+/// Largest allowed number of voxels, which take some gigabytes of memory.
 constexpr double most_voxels = 3e8;
 
-/// Returns the size of voxels, m. Throws Error (input) if the sheets would have holes, or the grid would be
-/// too large.
+/// Returns the size of the sheets' voxels, m. Throws Error (input) if the sheets would have holes with it, or
+/// the grid would be too large.
 double voxel_size(ExportSource& source) {
     const Snapshot& first = source.frame(source.frames().front());
     const std::vector<double> thickness = source.thickness(first);
@@ -37,7 +37,7 @@ double voxel_size(ExportSource& source) {
     return voxel;
 }
 
-/// Number of voxels along the diagonal of an obstacle that is large compared with the sheets' voxels.
+/// Number of voxels along the diagonal of an obstacle's box; they are at least as large as the sheets' ones.
 constexpr double voxels_along = 200;
 
 bool is_closed(const GridSurface& surface) {
@@ -46,7 +46,7 @@ bool is_closed(const GridSurface& surface) {
     return std::ranges::all_of(sides, [&](const auto& side) { return sides.contains({side[1], side[0]}); });
 }
 
-/// Whether an obstacle has an inside, and so a level set; adds a warning if it has none and is no plane.
+/// Whether an obstacle has an inside, and so a level set. Warns if an obstacle other than a plane has none.
 bool has_inside(ExportSource& source, const ExportObstacle& obstacle) {
     const bool closed = is_closed(obstacle.surface);
     if (!closed && !obstacle.plane)
@@ -55,7 +55,7 @@ bool has_inside(ExportSource& source, const ExportObstacle& obstacle) {
     return closed && !obstacle.plane;
 }
 
-/// Obstacles in their places in a frame. chosen: their indices.
+/// The obstacles with the indices `chosen` in their places in a frame. voxel: size of the sheets' voxels, m.
 std::vector<LevelSetBody> bodies_in(const ExportSource& source, std::size_t frame,
                                     const std::vector<std::size_t>& chosen, double voxel) {
     std::vector<LevelSetBody> bodies;

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 static_assert(std::endian::native == std::endian::little, "the header says little endian");
 
-constexpr std::size_t block_bytes = 32768;  // before compression; as VTK's own files have it
+constexpr std::size_t block_bytes = 32768;  // size of a block before compression, as in VTK's own files
 
 std::vector<std::uint8_t> compressed(std::span<const std::uint8_t> block) {
     std::vector<std::uint8_t> result(compressBound(block.size()));
@@ -35,8 +35,8 @@ std::vector<std::uint8_t> compressed(std::span<const std::uint8_t> block) {
     return result;
 }
 
-/// Encodes numbers as VTK reads them between the tags of an array: in base64 the number and the sizes of the
-/// compressed blocks, and in base64 of their own these blocks, one behind the other.
+/// Encodes numbers as VTK reads them between the tags of an array: first the number of compressed blocks and
+/// their sizes, in base64, then the blocks, all together in base64.
 std::string encoded(std::span<const std::uint8_t> bytes) {
     const std::size_t blocks = (bytes.size() + block_bytes - 1) / block_bytes;
     std::vector<std::uint64_t> head{blocks, block_bytes, bytes.size() % block_bytes};
@@ -69,7 +69,7 @@ Positions chosen_columns(const Positions& values, const std::vector<std::size_t>
     return result;
 }
 
-/// Array of values: numbers, or the row of each shared value.
+/// Array of values: of their numbers or, for shared values, of the index of each in shared_values().
 template <class Value>
 std::string value_array(const char* name, const std::vector<Value>& values) {
     if constexpr (std::same_as<Value, Colour>)
@@ -104,7 +104,7 @@ std::string look_arrays(const SurfaceLook& look, const SplitPoints& split) {
     return text;
 }
 
-/// Arrays of the look of faces.
+/// Arrays of the attributes of faces, but not of texture coordinates.
 std::string look_arrays(const SurfaceLook& look) {
     std::string text;
     visit_attributes_of<Face>([&](const auto& attribute) {
@@ -115,7 +115,7 @@ std::string look_arrays(const SurfaceLook& look) {
     return text;
 }
 
-/// Arrays of the vertices at split points. sheet: of the frame.
+/// Arrays of the vertices at split points. sheet: frame_sheet() of the frame.
 std::string vertex_arrays(const Snapshot& frame, const TriangleSheet& sheet, const SplitPoints& split) {
     const Positions velocity = chosen_columns(frame.velocity, split.points);
     const VectorXd speed = velocity.colwise().norm();
@@ -127,7 +127,7 @@ std::string vertex_arrays(const Snapshot& frame, const TriangleSheet& sheet, con
            "</PointData>\n" + point_array(chosen_columns(frame.position, split.points).data(), points);
 }
 
-/// Array of texts.
+/// Array of texts, whose characters are written as numbers.
 std::string text_array(const char* name, const std::vector<std::string>& texts) {
     std::string letters;
     for (const std::string& text : texts) {
@@ -146,7 +146,7 @@ std::string name_of(const std::vector<std::string>& groups) {
     return fmt::format("{}", fmt::join(groups, ", "));
 }
 
-/// Lists of the names to which arrays of rows refer.
+/// Lists of the names of materials and groups, to which arrays of shared values refer by index.
 std::string name_lists(const SurfaceLook& look) {
     std::string lists;
     visit_attributes_of<Face>([&](const auto& attribute) {
@@ -161,7 +161,7 @@ std::string name_lists(const SurfaceLook& look) {
     return lists.empty() ? "" : "<FieldData>\n" + lists + "</FieldData>\n";
 }
 
-/// Arrays of each field and of its principal values, the larger ones first.
+/// Arrays of each field and of its two principal values, of which the larger comes first.
 std::string field_arrays(const FaceFields& fields) {
     std::string text;
     visit_fields(
@@ -191,7 +191,7 @@ std::string triangles(const std::vector<std::array<Index, 3>>& faces) {
            array("Int64", "offsets", 1, ends.data(), ends.size()) + "</Polys>\n";
 }
 
-/// Text of a .vtp file. arrays: of points and faces; fields: of the whole mesh.
+/// Text of a .vtp file. arrays: text of the arrays of points and faces; fields: data of the whole mesh.
 std::string vtp_text(std::size_t points, const std::vector<std::array<Index, 3>>& faces,
                      const std::string& arrays, const std::string& fields = "") {
     return "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
@@ -204,13 +204,13 @@ std::string vtp_text(std::size_t points, const std::vector<std::array<Index, 3>>
            arrays + triangles(faces) + "</Piece>\n</PolyData>\n</VTKFile>\n";
 }
 
-/// File of an obstacle: the same for all frames if it does not move.
+/// File of an obstacle in a frame; if the obstacle does not move, all frames have a single file of it.
 fs::path obstacle_file(const ExportSource& source, std::size_t i, std::size_t frame) {
     const std::string suffix = source.obstacle_suffix(i, ".vtp");
     return source.obstacles()[i].moves ? source.numbered_file(frame, suffix) : source.clip_file(suffix);
 }
 
-/// Adds the files of the obstacles in a frame that no earlier frame has.
+/// Adds files of the obstacles in a frame, but after the first frame not of obstacles that do not move.
 void add_obstacles(ExportSource& source, std::size_t frame, std::vector<ExportJob>& jobs) {
     for (std::size_t i = 0; i < source.obstacles().size(); ++i)
         if (source.obstacles()[i].moves || frame == source.frames().front())

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double no_inertia = 1e-12;  // share of the largest principal moment that counts as zero
 
-/// Share of a vertex in a fragment.
+/// Part of the mass of a vertex that belongs to one of its faces, and so to a fragment.
 struct MassPoint {
     std::size_t fragment;
     Index vertex;
@@ -31,7 +31,7 @@ std::vector<MassPoint> mass_points(const Snapshot& frame) {
     return points;
 }
 
-/// Spin of a body with an angular momentum.
+/// Spin of a body with an angular momentum (kg m^2/s) about its centre; zero about axes without inertia.
 Vector3d spin_of(const Matrix3d& inertia, const Vector3d& momentum) {
     const Eigen::SelfAdjointEigenSolver<Matrix3d> principal(inertia);
     const Vector3d& moments = principal.eigenvalues();

@@ -17,9 +17,10 @@ struct FragmentMotion {
     Vector3d spin = Vector3d::Zero();      ///< rad/s, from the angular momentum about the centre
 };
 
-/// Returns the fragments of a frame in the order of their numbers. As in the run's momenta, masses are those
-/// of vertices: without the inertia of the thickness about the middle surface. A vertex of several fragments
-/// is shared among them by its faces. About an axis without inertia there is no spin.
+/// Returns the fragments of a frame in the order of their numbers. As in the momenta of a run, all mass is at
+/// the vertices, so that the thickness adds no inertia about the middle surface. The mass of a vertex of
+/// several fragments is divided equally among its faces, and so among the fragments. The spin about an axis
+/// without inertia is zero.
 std::vector<FragmentMotion> fragment_motions(const Snapshot& frame);
 
 }  // namespace sherd

@@ -53,8 +53,8 @@ class Model {
     std::vector<unsigned char> data;
     int times = -1, weights = -1, grey = -1, white = -1;
     bool double_sided;
-    std::vector<std::pair<FaceMaterial, int>> materials;  ///< materials of surfaces, and their indices
-    std::map<std::filesystem::path, int> pictures;        ///< indices of their textures; -1: unreadable
+    std::vector<std::pair<FaceMaterial, int>> materials;  ///< materials of surfaces, and indices in the model
+    std::map<std::filesystem::path, int> pictures;        ///< index of each picture's texture; -1: unreadable
     std::vector<std::string>& warnings;
     std::size_t time_count;
 };
@@ -123,7 +123,8 @@ int Model::surface_material(const FaceMaterial& material) {
     return number;
 }
 
-/// Returns the index of a picture's texture, or -1 with a warning.
+/// Returns the index of the picture's texture, which is added if necessary, or -1 if the picture cannot be
+/// read. Warns of an unreadable picture once.
 int Model::add_picture(const std::filesystem::path& file) {
     const auto [entry, is_new] = pictures.try_emplace(file, -1);
     if (!is_new) return entry->second;
@@ -144,7 +145,7 @@ int Model::add_picture(const std::filesystem::path& file) {
     return entry->second = static_cast<int>(model.textures.size()) - 1;
 }
 
-/// Adds a view, which begins at a multiple of four bytes.
+/// Adds bytes to the buffer, from a multiple of four on, and a view of them. Returns the view's index.
 int Model::add_view(const void* values, std::size_t bytes, int target) {
     data.resize((data.size() + 3) / 4 * 4);
     tinygltf::BufferView view;
@@ -178,7 +179,7 @@ int Model::add_rows(const Rows& rows, int type, bool bounds, int target) {
     const int accessor = add_accessor(values.data(), values.size() * sizeof(float), rows.size(),
                                       TINYGLTF_COMPONENT_TYPE_FLOAT, type, target);
     if (!bounds) return accessor;
-    // Bounds of the rounded values, with which a reader compares them.
+    // The bounds are those of the values as rounded to float, since a reader compares these.
     const std::size_t width = rows.front().size();
     auto &lower = model.accessors.back().minValues, &upper = model.accessors.back().maxValues;
     lower.assign(values.begin(), values.begin() + static_cast<long>(width));
@@ -196,7 +197,7 @@ int Model::add_vectors(const std::vector<Vector3d>& vectors, bool bounds) {
     return add_rows(rows, TINYGLTF_TYPE_VEC3, bounds, TINYGLTF_TARGET_ARRAY_BUFFER);
 }
 
-/// In glTF v points downwards.
+/// Adds texture coordinates, with v downwards, as in glTF.
 int Model::add_texture(const std::vector<Eigen::Vector2d>& texture) {
     Rows rows;
     for (const Eigen::Vector2d& uv : texture) rows.push_back({uv.x(), 1 - uv.y()});
@@ -241,7 +242,7 @@ tinygltf::Primitive Model::surface(const GlbNode& node) {
     return primitive;
 }
 
-/// Triangles by material, in the order in which materials first occur.
+/// The triangles of a node by index of their material, in the order in which materials first occur.
 std::vector<std::pair<int, std::vector<std::array<Index, 3>>>> Model::parts(const GlbNode& node) {
     std::vector<std::pair<int, std::vector<std::array<Index, 3>>>> result;
     for (std::size_t t = 0; t < node.triangles.size(); ++t) {
@@ -304,8 +305,8 @@ void Model::animate_motion(int number, const GlbNode& node) {
     animate(number, "rotation", add_rows(rotations, TINYGLTF_TYPE_VEC4, false, 0));
 }
 
-/// Adds the weights of morph targets: at time i, target i - 1 alone has its full weight. All nodes share the
-/// numbers.
+/// Adds an animation of the weights of a node's morph targets: at time i only target i - 1 has the weight 1,
+/// the others have 0. All nodes share the array of weights.
 void Model::animate_shape(int number) {
     if (weights < 0) {
         Rows values;

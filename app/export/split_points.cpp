@@ -9,13 +9,14 @@
 namespace sherd {
 namespace {
 
-/// Properties of a corner; corners of a point with equal properties share a split point.
+/// Properties of a corner: point, texture coordinates u and v, colour of the face, and number of the
+/// quadrilateral of a solid's rim or crack face. Corners with equal properties share a split point.
 using Look = std::tuple<std::int32_t, double, double, Colour, std::size_t>;
 
 Look look_of(const TriangleSheet& sheet, std::size_t t, int corner) {
     const Eigen::Vector2d uv =
         sheet.look.texture.empty() ? Eigen::Vector2d::Zero() : sheet.look.texture[t][corner];
-    // Pairs of triangles at the end are the edges of a solid.
+    // The triangles at the end, in pairs, are the quadrilaterals of a solid's rim and crack faces.
     const bool is_side = sheet.shading.empty() || sheet.shading[t] == Shading::smooth;
     return {sheet.triangles[t][corner], uv.x(), uv.y(),
             sheet.look.face_colour.empty() ? white : sheet.look.face_colour[t],

@@ -6,20 +6,20 @@
 
 namespace sherd {
 
-/// A sheet each point of which has a single normal, pair of texture coordinates and colour, as glTF and
-/// graphics cards require.
+/// Points of a sheet, copied so that each has a single normal, pair of texture coordinates and colour, as
+/// glTF and graphics cards require.
 struct SplitPoints {
-    std::vector<std::size_t> points;                  ///< points of the sheet, repeated for each look
-    std::vector<std::array<std::size_t, 2>> corners;  ///< triangle and corner of each point, if any
-    std::vector<std::array<std::int32_t, 3>> triangles;
+    std::vector<std::size_t> points;  ///< the sheet's point that each split point is, or is a copy of
+    std::vector<std::array<std::size_t, 2>> corners;     ///< a triangle with each split point, and its corner
+    std::vector<std::array<std::int32_t, 3>> triangles;  ///< the sheet's triangles, of split points
 };
 
-/// Splits the points on seams of texture coordinates, between triangles of different colours, and between
-/// sides of a solid and its edges. Points keep their order, and all copies follow them, in the order of the
-/// triangles; a sheet without such places is unchanged.
+/// Copies points on seams of texture coordinates, between triangles of different colours, and around each
+/// quadrilateral of the rim or crack faces of a solid. Points keep their order, and the copies follow all of
+/// them, in the order of the triangles. A sheet without such places is unchanged.
 SplitPoints split_points(const TriangleSheet& sheet);
 
-/// Gathers values of corners [T] at split points.
+/// Returns the values of split points, from values of the triangles' corners [T].
 template <class Value>
 std::vector<Value> at_points(const SplitPoints& split, const std::vector<std::array<Value, 3>>& of_corners) {
     std::vector<Value> values;

@@ -7,7 +7,7 @@
 
 namespace sherd {
 
-/// Bytes as text, in the alphabet of RFC 4648, padded.
+/// Returns the bytes in the base64 encoding of RFC 4648, padded with `=`.
 std::string base64(std::span<const std::uint8_t> bytes);
 
 }  // namespace sherd

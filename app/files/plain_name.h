@@ -6,8 +6,9 @@
 
 namespace sherd {
 
-/// Returns a name without characters that a file name or a line of an OBJ file cannot have: they become `_`;
-/// bytes of UTF-8 stay. Appends a number if the name is among the `used` ones, and adds it to these.
+/// Returns `name` in a form for file names and for lines of an OBJ file: each ASCII character becomes `_`,
+/// except letters, digits, `-` and `.`; bytes of UTF-8 stay. If the result is among the names in `used`,
+/// appends a number. Adds the result to `used`.
 std::string plain_name(std::string name, std::set<std::string>& used);
 
 }  // namespace sherd

@@ -18,16 +18,17 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view pc2_name("POINTCACHE2\0", 12);
-constexpr std::size_t pc2_size = 32, mdd_size = 8, point_size = 12;  // bytes, of headers and of a point
+// Sizes in bytes: a .pc2 header, an .mdd header before its times, a point.
+constexpr std::size_t pc2_size = 32, mdd_size = 8, point_size = 12;
 
-/// Header of a file.
+/// Header of a point cache.
 struct Head {
     std::int32_t points = 0, samples = 0;
-    std::vector<double> times;  ///< s, of the samples
+    std::vector<double> times;  ///< s, time of each sample
     std::endian order = std::endian::native;
 };
 
-/// A file that is read sequentially.
+/// A point cache that is read sequentially.
 class CacheFile {
   public:
     explicit CacheFile(const fs::path& path) : path(path) {
@@ -45,7 +46,8 @@ class CacheFile {
         if (!stream) throw Error(path.string() + ": the point cache cannot be read to its end");
         return text;
     }
-    /// Throws Error if the file has fewer bytes.
+    /// Throws Error if the file has fewer than `least` bytes. what: the part of the file that ends there, for
+    /// the message.
     void require(double least, std::string_view what) const {
         if (static_cast<double>(bytes) < least)
             throw Error(
@@ -66,7 +68,7 @@ class CacheFile {
     std::ifstream stream;
 };
 
-/// Expected number of points, and the mesh that has them.
+/// Expected number of points, and the file of the mesh that has as many vertices.
 struct Expected {
     std::size_t points;
     const fs::path& mesh;

@@ -20,7 +20,7 @@ std::optional<BundledProgram> this_bundled_program() {
 std::optional<BundledProgram> bundled_program(const fs::path& running) {
     fs::path code = running;
     code += ".program";
-    std::error_code unreadable;  // an error: not a bundle
+    std::error_code unreadable;  // an error means that this is no bundle
     if (!fs::is_regular_file(code, unreadable)) return std::nullopt;
     return BundledProgram{code, running.parent_path().parent_path() / "bin" / running.filename()};
 }
@@ -38,7 +38,7 @@ fs::path program_to_start() {
 std::string python_to_start() {
     if (const std::optional<BundledProgram> bundled = this_bundled_program()) {
         fs::path python = bundled->launcher.parent_path() / "sherd-python";
-        std::error_code unreadable;  // an error: not there
+        std::error_code unreadable;  // an error means that the file does not exist
         if (fs::exists(python, unreadable)) return python.string();
     }
     return "python3";

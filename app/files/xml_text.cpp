@@ -17,9 +17,9 @@ std::string xml_escaped(const std::string& text) {
         else if (c == '"')
             result += "&quot;";
         else if (c == '\t' || c == '\n' || c == '\r')
-            result += "&#" + std::to_string(static_cast<int>(c)) + ";";  // else it would become a blank
+            result += "&#" + std::to_string(static_cast<int>(c)) + ";";  // unescaped, it is read as a blank
         else if (static_cast<unsigned char>(c) < ' ')
-            result += '_';  // excluded from XML
+            result += '_';  // XML excludes such characters
         else
             result += c;
     }

@@ -8,7 +8,7 @@
 namespace sherd {
 namespace {
 
-/// Value in the notation of the script: a word for its kind, then its words.
+/// Returns a value as arguments of the script's function _sherd_offer: the kind of value, then its words.
 std::string value_text(const OptionValue& value) {
     switch (value.kind) {
         case OptionValue::Kind::words:
@@ -39,7 +39,8 @@ std::string option_words(const CLI::App& command) {
     return fmt::format("{}", fmt::join(names, " "));
 }
 
-/// Adds a line to the script's table of values for each option, and for each argument by its number.
+/// Adds the options and arguments of `command` to `table`, the cases of the script's function _sherd_value: a
+/// line for each option that has a value, and a line for each argument by its number.
 void add_values(std::string& table, const CLI::App& command) {
     const auto add = [&](const std::string& name, const CLI::Option& option) {
         table += fmt::format("        '{} {}') echo '{}' ;;\n", command.get_name(), name,

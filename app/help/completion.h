@@ -6,11 +6,12 @@
 
 namespace sherd {
 
-/// A script for bash (4 and later, nothing else needed) that completes commands, options, their values,
-/// files by extension and shipped scenes of `program`.
+/// Returns a script that completes, in bash 4 or later and without further programs, the commands of
+/// `program`, their options, the values of options, files by extension, and shipped scenes.
 std::string bash_completion(const CLI::App& program);
 
-/// A script for zsh that completes the same, as a file `_sherd` on its fpath, or sourced after compinit.
+/// Returns a script for zsh that completes the same words as bash_completion(). It works as a file `_sherd`
+/// in a folder of the fpath, and when it is sourced after compinit.
 std::string zsh_completion(const CLI::App& program);
 
 }  // namespace sherd

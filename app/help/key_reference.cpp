@@ -57,7 +57,7 @@ std::string key_lines(const std::string& name, const KeyText& key, std::size_t w
     std::string note = default_text(key);
     if (!note.empty()) note = (key.info.rules.required ? "; " : "; default: ") + note;
     std::string text = fmt::format("{}{}. {}", value_text(key.info), note, key.info.sentence);
-    std::erase(text, '`');  // quotes of Markdown
+    std::erase(text, '`');  // Markdown's quotes around code
     const std::size_t indent = width + 4;
     return fmt::format("  {:<{}}  {}\n", name, width,
                        columns < indent + 20 ? text : wrapped(text, columns - indent - 1, indent));
@@ -73,7 +73,7 @@ std::string section_lines(const PlacedSection& placed, std::size_t columns) {
     return lines;
 }
 
-/// Returns text for a cell of a Markdown table.
+/// Returns `text` as a cell of a Markdown table, in which `|` must be escaped.
 std::string cell(std::string text) {
     for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2)
         text.insert(at, 1, '\\');
@@ -90,7 +90,7 @@ std::string section_table(const PlacedSection& placed) {
     return table;
 }
 
-/// Words that a shell can offer for a value, each after a blank.
+/// Returns the words that a shell can offer as value of a key, each after a blank.
 std::string words_of(const KeyInfo& key) {
     std::string words;
     if (has_form(key.forms, Form::choice))
@@ -98,14 +98,16 @@ std::string words_of(const KeyInfo& key) {
     return has_form(key.forms, Form::flag) ? words + " true false" : words;
 }
 
-/// Whether `typed` names a place: in full, without ".NAME", or by its end; "scene": the scene itself.
+/// Whether `typed` names the table at `place`: by the whole place, by the place without ".NAME", or by the
+/// last parts of the latter. "scene" names the scene itself, whose place is empty.
 bool is_meant(const std::string& place, const std::string& typed) {
     if (place.empty()) return typed == "scene";
     const std::string bare = short_place(place);
     return place == typed || bare == typed || bare.ends_with("." + typed);
 }
 
-/// Throws Error with the table or key whose name is nearest to one that does not exist.
+/// Throws Error (input): `wanted` does not exist. The message suggests the table or key whose name is nearest
+/// to it.
 [[noreturn]] void throw_unknown(const std::string& wanted, const std::vector<PlacedSection>& sections) {
     std::vector<std::string> known;
     for (const PlacedSection& placed : sections) {
@@ -113,7 +115,8 @@ bool is_meant(const std::string& place, const std::string& typed) {
         for (const KeyText& key : placed.section.keys)
             known.push_back(dotted(short_place(placed.place), key.info.name));
     }
-    // A name that begins another one counts as near: "solver" would be offered for "solver.stpe".
+    // nearest_name() takes the beginning of a name as near to the whole name. Names without a dot are
+    // excluded if `wanted` has one, as otherwise "solver" would be suggested for "solver.stpe".
     if (wanted.find('.') != std::string::npos)
         std::erase_if(known, [](const std::string& name) { return name.find('.') == std::string::npos; });
     const std::string nearest = nearest_name(wanted, known);
@@ -122,8 +125,8 @@ bool is_meant(const std::string& place, const std::string& typed) {
                                             : fmt::format("did you mean '{}'?", nearest)));
 }
 
-/// Returns the tables that `wanted` names; if there is none, those that have a key of this name, with that
-/// key alone.
+/// Returns the tables that `wanted` names (all if it is empty). If it names none, returns the tables that
+/// have a key of this name, each with only this key.
 std::vector<PlacedSection> wanted_sections(const std::string& wanted) {
     std::vector<PlacedSection> sections = scene_sections(), found;
     if (wanted.empty()) return sections;
@@ -141,7 +144,7 @@ std::vector<PlacedSection> wanted_sections(const std::string& wanted) {
     return found;
 }
 
-/// Returns the texts of sections, each once: kinds of a table may have the same table in them.
+/// Returns the texts of sections without repetitions: different kinds of a table may contain the same table.
 template <class Text>
 std::string joined_texts(const std::vector<PlacedSection>& sections, Text text_of_section) {
     std::vector<std::string> texts;
@@ -201,7 +204,7 @@ std::string key_tables(const std::string& wanted) {
 
 std::vector<std::string> settable_lines(const std::vector<std::string>& sheets,
                                         const std::vector<std::string>& obstacles) {
-    // Words of each key; kinds of a table add theirs one after another.
+    // Words of each key. If several kinds of a table have the key, their words are joined.
     std::map<std::string, std::string> words;
     const auto add = [&](const std::string& key, const std::string& more) {
         std::string& all = words[key];

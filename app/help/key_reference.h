@@ -8,32 +8,37 @@
 
 namespace sherd {
 
-/// A table of scenes and its place: "sheet.NAME.fracture", empty for the scene itself. Several tables with
-/// one place are the kinds of table that are allowed there.
+/// A table of scenes, and its place, for example "sheet.NAME.fracture". The place of the outermost table, the
+/// scene itself, is empty. Several tables with equal places are the kinds of table that are allowed there.
 struct PlacedSection {
     std::string place;
     SectionText section;
 };
 
-/// All tables of scenes: the scene itself, then each table before those in it.
+/// Returns all tables of scenes. Each table comes before the tables inside it, so that the scene itself is
+/// first.
 std::vector<PlacedSection> scene_sections();
 
-/// Allowed values of a key: "a positive number (m)", "\"hue\" or \"vector\"".
+/// Returns the allowed values of a key in words, for example "a positive number (m)" or "\"hue\" or
+/// \"vector\"".
 std::string value_text(const KeyInfo& key);
 
-/// Default of a key: "required", "0.3"; empty: not documented.
+/// Returns the default of a key, for example "0.3"; "required" if the scene must have the key; empty if no
+/// default is documented.
 std::string default_text(const KeyText& key);
 
-/// Reference of the keys of scenes in lines of at most `columns` characters; 0: of any length. wanted: a
-/// table, "solver" or "sheet.fracture", "scene" for the outermost, or a key of it, "solver.step"; empty: all.
-/// Throws Error (input) with the nearest name if there is no such table or key.
+/// Returns the reference of the keys of scenes as text, in lines of at most `columns` characters; 0: of any
+/// length. wanted: a table, for example "solver", "sheet.fracture", or "scene" for the outermost table; or a
+/// key, for example "solver.step"; or empty for all tables. Throws Error (input) with the nearest name if
+/// there is no such table or key.
 std::string key_reference(const std::string& wanted, std::size_t columns);
 
-/// Tables of these keys in Markdown, for pages. Throws Error like key_reference().
+/// Returns the reference of the keys that `wanted` names as tables in Markdown. wanted and errors: see
+/// key_reference().
 std::string key_tables(const std::string& wanted);
 
-/// Lines for completion, one for each key that `--set` can set: the dotted key, with the names of these
-/// sheets and obstacles, and its allowed words.
+/// Returns a line for completion for each key that `--set` can set: the dotted key, followed by its allowed
+/// words. In a key of a sheet or an obstacle, each of the given names in turn takes the place of NAME.
 std::vector<std::string> settable_lines(const std::vector<std::string>& sheets,
                                         const std::vector<std::string>& obstacles);
 

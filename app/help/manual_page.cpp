@@ -11,7 +11,8 @@
 namespace sherd {
 namespace {
 
-/// Escapes text for roff: no macro at the head of a line, and ASCII hyphens and quotes that can be copied.
+/// Escapes text for roff, so that no line begins with a macro, and so that hyphens and quotes are printed as
+/// ASCII characters, which can be copied.
 std::string escaped(const std::string& text) {
     std::string result;
     for (const char c : text) {
@@ -43,7 +44,7 @@ std::string escaped(const std::string& text) {
     return result;
 }
 
-/// Heading of an option: its names in bold, the placeholder of its value in italics.
+/// Returns the heading of an option: its names in bold, and the placeholder of its value in italics.
 std::string option_heading(const CLI::Option& option) {
     std::string heading;
     for (const std::string& name : typed_names(option))
@@ -56,7 +57,8 @@ std::string option_heading(const CLI::Option& option) {
 std::string option_list(const CLI::App& command, bool positional) {
     std::string list;
     for (const CLI::Option* option : shown_options(command, positional)) {
-        if (option == command.get_help_ptr() && command.get_parent() != nullptr) continue;  // documented once
+        // The help option is documented once, for the program.
+        if (option == command.get_help_ptr() && command.get_parent() != nullptr) continue;
         const std::string standard = option->get_default_str();
         list += fmt::format(".TP\n{}\n{}{}{}\n", option_heading(*option), escaped(option->get_description()),
                             standard.empty() ? "" : escaped(fmt::format(" (default: {})", standard)),
@@ -65,7 +67,8 @@ std::string option_list(const CLI::App& command, bool positional) {
     return list;
 }
 
-/// Footer of the help in roff. Indented lines are not filled.
+/// Returns the footer of a command's help in roff. Indented lines are kept; other lines are filled to
+/// paragraphs.
 std::string footer(const std::string& text) {
     std::string result;
     bool shown = false;

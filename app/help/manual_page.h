@@ -6,7 +6,8 @@
 
 namespace sherd {
 
-/// The manual page sherd(1) in roff (macros of man): the help of `program` and of each of its commands.
+/// Returns the manual page sherd(1) in roff with the macros of man(7): the help of `program` and of each of
+/// its commands.
 std::string manual_page(const CLI::App& program);
 
 }  // namespace sherd

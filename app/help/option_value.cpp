@@ -10,7 +10,7 @@
 namespace sherd {
 namespace {
 
-/// Returns "h5" for "RUN.h5"; empty for a name without extension.
+/// Returns the extension of a name, for example "h5" for "RUN.h5"; empty for a name without extension.
 std::string extension_of(const std::string& name) {
     const std::size_t dot = name.rfind('.');
     if (dot == std::string::npos || dot + 1 == name.size()) return "";
@@ -21,7 +21,8 @@ std::string extension_of(const std::string& name) {
     return is_extension ? extension : "";
 }
 
-/// Extensions in the first brackets that begin with one: "obj", "ply" for "Mesh to write (.obj or .ply)".
+/// Returns the extensions in the first brackets of a description that begin with an extension: "obj" and
+/// "ply" for "Mesh to write (.obj or .ply)".
 std::vector<std::string> described_extensions(const std::string& description) {
     const std::size_t begin = description.find("(.");
     if (begin == std::string::npos) return {};
@@ -63,7 +64,7 @@ std::vector<std::string> typed_names(const CLI::Option& option) {
 std::string value_name(const CLI::Option& option) {
     if (option.get_items_expected_max() == 0) return "";
     if (!option.get_option_text().empty()) return option.get_option_text();
-    const std::string type = option.get_type_name();  // followed by its check, as in INT:POSITIVE
+    const std::string type = option.get_type_name();  // CLI11 appends a check, as in INT:POSITIVE
     return type.substr(0, type.find(':'));
 }
 

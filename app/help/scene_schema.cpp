@@ -9,7 +9,7 @@ namespace {
 
 Json section_schema(const SectionText& section);
 
-/// Schema of a number. The bounds of all numbers (TomlTable) are left out.
+/// Returns the schema of a number in a range. The bounds that TomlTable sets for all numbers are left out.
 Json number_schema(const Range& range, const char* type) {
     Json schema{{"type", type}};
     if (range.has_least()) schema[range.with_least ? "minimum" : "exclusiveMinimum"] = range.least;
@@ -29,7 +29,7 @@ Json choice_schema(std::span<const std::string_view> names) {
     return {{"enum", values}};
 }
 
-/// Schema of a value that matches any of the schemas.
+/// Returns the schema of values that match at least one of the schemas.
 Json any_of(std::vector<Json> schemas) {
     if (schemas.size() == 1) return schemas[0];
     return {{"anyOf", schemas}};
@@ -103,7 +103,8 @@ Json section_schema(const SectionText& section) {
 Json scene_schema() {
     Json schema = section_schema(scene_reference());
     schema["title"] = "A scene of Sherd";
-    // Statics end at solver.load; other schemes need a duration.
+    // A static scene ends at the load solver.load and must not have a duration; scenes with other schemes
+    // need one.
     schema["if"] = {
         {"properties",
          {{"solver", {{"properties", {{"scheme", {{"const", "static"}}}}}, {"required", {"scheme"}}}}}},

@@ -5,7 +5,7 @@
 
 namespace sherd {
 
-/// The JSON Schema (2020-12) of scenes, by which editors of TOML complete and check them.
+/// Returns the JSON Schema (2020-12) of scenes, with which editors for TOML complete and check scenes.
 Json scene_schema();
 
 }  // namespace sherd

@@ -8,7 +8,7 @@
 namespace sherd {
 namespace {
 
-/// Quotes text for the descriptions of _arguments and _describe, within single quotes.
+/// Escapes text for a description of _arguments or _describe that is within single quotes.
 std::string quoted(const std::string& text) {
     std::string result;
     for (const char c : text) {
@@ -22,7 +22,7 @@ std::string quoted(const std::string& text) {
     return result;
 }
 
-/// The action of _arguments that completes a value.
+/// Returns the action with which _arguments completes a value.
 std::string action(const OptionValue& value) {
     switch (value.kind) {
         case OptionValue::Kind::words:
@@ -41,7 +41,7 @@ std::string action(const OptionValue& value) {
     }
 }
 
-/// An option as _arguments takes it: '(-o --output)'{-o,--output}'[description]:FILE:_files'.
+/// Returns an option in the form of _arguments: '(-o --output)'{-o,--output}'[description]:FILE:_files'.
 std::string option_words(const CLI::Option& option) {
     std::vector<std::string> names = typed_names(option);
     const bool repeatable = option.get_expected_max() > 1;
@@ -50,7 +50,8 @@ std::string option_words(const CLI::Option& option) {
         value = fmt::format(":{}:{}", quoted(name), action(option_value(option)));
     const std::string excluded = fmt::format("'({})'", fmt::join(names, " "));
     for (std::string& name : names)
-        if (name.starts_with("--") && !value.empty()) name += '=';  // --option value and --option=value
+        // Allows both --option value and --option=value.
+        if (name.starts_with("--") && !value.empty()) name += '=';
     const std::string description = fmt::format("[{}]", quoted(option.get_description()));
     if (names.size() == 1)
         return fmt::format("'{}{}{}{}'", repeatable ? "*" : "", names[0], description, value);

@@ -9,7 +9,7 @@ namespace sherd {
 /// JSON with keys in the order of insertion.
 using Json = nlohmann::ordered_json;
 
-/// [x, y, z]
+/// Returns [x, y, z].
 template <class AnyJson = Json>
 AnyJson vector_json(const Eigen::Vector3d& v) {
     return {v.x(), v.y(), v.z()};

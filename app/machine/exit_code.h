@@ -3,10 +3,11 @@
 
 namespace sherd {
 
-/// Exit code of a process that a signal has ended, less the number of the signal, as in shells.
+/// A process that was ended by a signal has the exit code signal_base plus the number of the signal, as in
+/// shells.
 constexpr int signal_base = 128;
 
-/// Returns the exit code of a process with this status (waitpid).
+/// Returns the exit code of a process. status: as reported by waitpid().
 int exit_code_of(int status);
 
 }  // namespace sherd

@@ -38,7 +38,7 @@ double peak_memory() {
 
 void reset_peak_memory() {
     malloc_trim(0);
-    std::ofstream("/proc/self/clear_refs") << 5;  // proc(5): resets the peak to the resident memory
+    std::ofstream("/proc/self/clear_refs") << 5;  // proc(5): "5" resets the peak to the resident memory
 }
 
 double memory_bandwidth() {

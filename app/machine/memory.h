@@ -4,13 +4,15 @@
 namespace sherd {
 
 double machine_memory();   ///< bytes, memory of the machine
-double resident_memory();  ///< bytes, memory of this program now
-double peak_memory();      ///< bytes, largest memory since its start, or since reset_peak_memory()
+double resident_memory();  ///< bytes, resident memory of this program now
+double peak_memory();      ///< bytes, largest resident memory since the start or reset_peak_memory()
 
-/// Returns free memory to the system, and resets peak_memory(). Linux may not allow this.
+/// Gives unused memory back to the system, and resets peak_memory() to resident_memory(). Linux may not allow
+/// the reset; peak_memory() then stays as it is.
 void reset_peak_memory();
 
-/// Bytes per second that one thread reads from an array larger than any cache: the largest of several rounds.
+/// Returns the bytes per second that one thread reads from an array larger than any cache: the largest rate
+/// of three rounds.
 double memory_bandwidth();
 
 }  // namespace sherd

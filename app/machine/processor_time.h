@@ -5,18 +5,19 @@
 
 namespace sherd {
 
-/// Processor time of this program so far, s, of all of its threads together.
+/// Returns the processor time, s, that all threads of this program together have used so far.
 double processor_seconds();
 
-// Smallest time of several rounds: of many short rounds some are not disturbed by other programs.
+// The functions below call `work` in several rounds, and return the time of the fastest round: among many
+// short rounds some are not disturbed by other programs.
 
-/// Processor time, s.
+/// Returns the processor time of the fastest of `rounds` rounds, s.
 double least_seconds(int rounds, const std::function<void()>& work);
-/// Processor time of three rounds, s.
+/// Returns the processor time of the fastest of three rounds, s.
 inline double least_seconds(const std::function<void()>& work) {
     return least_seconds(3, work);
 }
-/// Wall time, s.
+/// Returns the wall time of the fastest of `rounds` rounds, s.
 double least_wall_seconds(int rounds, const std::function<void()>& work);
 
 }  // namespace sherd

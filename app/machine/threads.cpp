@@ -7,7 +7,7 @@
 namespace sherd {
 namespace {
 
-constexpr unsigned most_threads = 4;  // more do not pay off
+constexpr unsigned most_threads = 4;  // for all runs together; more threads do not pay off
 
 }  // namespace
 

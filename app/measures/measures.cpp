@@ -26,8 +26,9 @@ std::size_t number_of(const std::vector<RecordedObstacle>& obstacles, const std:
                             names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
 }
 
-/// End of the first step in which the obstacle had a contact force, s; for a free body: of the first step
-/// with any contact.
+/// Returns the end of the first step in which the obstacle had a contact force, s. Forces on free bodies are
+/// not recorded: for a free body returns the end of the first step with any contact. Throws Error (input) if
+/// there is no such step.
 double first_touch(const Recording& recording, const std::string& name) {
     const std::vector<RecordedSupport> supports = recording.header().supports;
     const auto support = std::ranges::find(supports, "obstacle." + name, &RecordedSupport::name);
@@ -62,9 +63,8 @@ NearestTriangle surface_at(const Recording& recording, const std::vector<Recorde
     return {points, surface.triangles};
 }
 
-/// Returns the place on the sheets at rest (m) that an obstacle touched first: the vertex nearest to it at
-/// the end of the first step in which it had a contact force, interpolated between frames. Forces on free
-/// bodies are not recorded: for these the first step with any contact counts. name: "ball" or
+/// Returns the place on the sheets at rest (m) that an obstacle touched first: the vertex that is nearest to
+/// the obstacle at the time first_touch(), with positions interpolated between frames. name: "ball" or
 /// "obstacle.ball". Throws Error (input) if there is no such obstacle, or if it touched nothing.
 Vector3d first_contact(const Recording& recording, const std::string& name) {
     const std::string prefix = "obstacle.";
@@ -154,7 +154,8 @@ std::vector<PeakForce> peak_forces(const std::vector<RecordedSupport>& supports,
 
 using Number = std::optional<double>;
 
-/// Measure of the heaviest fragment; none without fragments.
+/// Returns a measure that applies `value` to the heaviest fragment; none without fragments. The next
+/// functions do the same for other parts of the measures.
 template <class Value>
 auto of_heaviest(Value value) {
     return [value](const Measures& measures) {

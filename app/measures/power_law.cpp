@@ -17,7 +17,8 @@ std::optional<PowerLaw> power_law(std::span<const double> values, double from) {
     if (law.count < 2) return std::nullopt;
     const auto count = static_cast<double>(law.count);
     law.exponent = count / logarithms;
-    // Twice the sum of the logarithms times the true exponent is chi-squared with two degrees for each value.
+    // Twice the sum of the logarithms times the true exponent has a chi-squared distribution with two degrees
+    // of freedom for each value.
     const boost::math::chi_squared distribution(2 * count);
     const double once = law.exponent / (2 * count);
     law.interval = {once * quantile(distribution, 0.025), once * quantile(distribution, 0.975)};

@@ -5,8 +5,8 @@
 
 namespace sherd {
 
-/// Returns the origin of the program, a line each, without a newline at the end: commit, compiler, libraries
-/// with their versions.
+/// Returns what the program is built from, in three lines without a newline at the end: commit, compiler,
+/// libraries with their versions.
 std::string build_info();
 
 }  // namespace sherd

@@ -6,8 +6,8 @@
 
 namespace sherd {
 
-/// Returns a number with its noun: "1 fragment", "2 fragments". `plural` is needed unless it is the noun with
-/// an s.
+/// Returns a number with its noun: "1 fragment", "2 fragments". plural: plural of the noun; needed if it is
+/// not the noun with an appended s.
 template <class Count>
 std::string counted(Count count, std::string_view noun, std::string_view plural = {}) {
     std::string text =

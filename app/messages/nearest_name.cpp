@@ -7,7 +7,8 @@
 namespace sherd {
 namespace {
 
-/// Optimal string alignment distance: insertions, deletions, substitutions, swaps of neighbours.
+/// Returns the optimal string alignment distance of two texts: the smallest number of insertions, deletions,
+/// substitutions and swaps of neighbouring characters that turn one text into the other.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::vector<std::size_t>> cost(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
     for (std::size_t i = 0; i <= a.size(); ++i) cost[i][0] = i;

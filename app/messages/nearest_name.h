@@ -7,7 +7,8 @@
 
 namespace sherd {
 
-/// The name of `names` with the fewest edits from `name`; empty when none is similar.
+/// Returns the element of `names` that is fewest edits away from `name`; empty if none is similar. If one of
+/// two names begins with the other one, this counts as one edit.
 std::string nearest_name(std::string_view name, std::span<const std::string> names);
 
 }  // namespace sherd

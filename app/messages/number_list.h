@@ -8,11 +8,11 @@
 
 namespace sherd {
 
-/// Parses a text that is a finite number and nothing else; otherwise none.
+/// Returns the number in `text`, which must be a finite number and nothing else; otherwise returns none.
 std::optional<double> number_of(std::string_view text);
 
-/// Parses the numbers of an option, with commas between them: "1,2.5". Throws Error (input), naming the
-/// option, if one of them is not a finite number.
+/// Returns the numbers in `text`, the value of an option, which are separated by commas: "1,2.5". Throws
+/// Error (input), naming the option, if one of them is not a finite number.
 std::vector<double> number_list(const std::string& option, const std::string& text);
 
 }  // namespace sherd

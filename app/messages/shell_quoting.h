@@ -6,10 +6,10 @@
 
 namespace sherd {
 
-/// Returns a word as a shell reads it, in quotes if necessary.
+/// Returns a word as it is to be typed in a shell, in quotes if necessary.
 std::string shell_quoted(const std::string& word);
 
-/// Returns a path as an argument that no program takes for an option: "./-a.toml".
+/// Returns a path in a form that no program takes for an option: "./-a.toml" for "-a.toml".
 std::string path_argument(const std::filesystem::path& path);
 
 }  // namespace sherd

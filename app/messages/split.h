@@ -6,7 +6,7 @@
 
 namespace sherd {
 
-/// Splits a text at each separator; parts may be empty.
+/// Returns the parts of a text between separators; parts may be empty.
 std::vector<std::string> split(const std::string& text, char separator);
 
 }  // namespace sherd

@@ -16,7 +16,8 @@
 namespace sherd {
 namespace {
 
-/// Finds the places of the later frame's mesh in the earlier one, by positions at rest.
+/// Finds where faces and vertices of the later frame's mesh lie in the earlier frame's mesh, by positions at
+/// rest. R is the number of the earlier frame's vertices at rest.
 class Parts {
   public:
     Parts(const Snapshot& earlier, const Snapshot& later);
@@ -25,21 +26,22 @@ class Parts {
         return face < earlier.faces.size() && earlier.rest.faces[face] == later.rest.faces[face] &&
                std::ranges::all_of(later.rest.faces[face], [this](Index v) { return stays(v); });
     }
-    /// Returns the earlier face in which the centroid of a later one lies, or comes nearest to lying. Throws
-    /// Error if there is none.
+    /// Returns the earlier face that contains the centroid of the later face `face`, or, if none does, comes
+    /// nearest to containing it. Throws Error if there is no candidate.
     Index whole_of(std::size_t face);
-    /// Returns the earlier vertex that a corner of a later face was; `whole` is the earlier face of that.
-    /// Returns -1 if the vertex was inserted or has moved, or if its side of a crack is unknown.
+    /// Returns the earlier vertex that a corner of the later face `face` was. whole: whole_of(face). Returns
+    /// -1 if the vertex was inserted since then or has moved at rest, or if several earlier vertices, on the
+    /// sides of a crack, are there and `whole` has none of them.
     Index same_vertex(std::size_t face, int corner, Index whole) const;
-    /// Returns the earlier face around `whole` in which a corner of a later one lies, and its barycentric
-    /// coordinates.
+    /// Returns the earlier face that contains a corner of the later face `face`, and the corner's barycentric
+    /// coordinates in it. The earlier face is `whole`, which is whole_of(face), or one of its neighbours in
+    /// the same fragment.
     std::pair<Index, Vector3d> place(std::size_t face, int corner, Index whole) const;
 
   private:
-    using Part =
-        std::pair<Index, Index>;  ///< a face of the unfractured mesh, and a face of the earlier frame in it
+    using Part = std::pair<Index, Index>;  ///< a face of the unfractured mesh, and an earlier face in it
 
-    /// Whether a vertex at rest is also in the earlier frame, at the same place.
+    /// Whether a vertex at rest of the later frame is also in the earlier frame, in the same position.
     bool stays(Index vertex) const {
         return vertex < earlier.rest.position.cols() &&
                earlier.rest.position.col(vertex) == later.rest.position.col(vertex);
@@ -54,7 +56,7 @@ class Parts {
 
     const Snapshot &earlier, &later;
     std::vector<Part> parts;                       ///< ascending
-    std::vector<std::vector<Index>> of_vertex;     ///< [R] earlier vertices at each vertex at rest
+    std::vector<std::vector<Index>> of_vertex;     ///< [R] earlier vertices of each vertex at rest
     std::vector<std::vector<Index>> faces_around;  ///< [R] earlier faces around each vertex at rest
 };
 
@@ -72,7 +74,8 @@ Parts::Parts(const Snapshot& earlier, const Snapshot& later)
     std::ranges::sort(parts);
 }
 
-/// Returns the barycentric coordinates of a point (m), projected into the plane of an earlier face at rest.
+/// Returns the barycentric coordinates in an earlier face at rest of a point (m), projected into the face's
+/// plane.
 Vector3d Parts::coordinates(Index face, const Vector3d& point) const {
     const TrianglePositions x = columns(earlier.rest.position, earlier.rest.faces[face]);
     const Vector3d a = x.col(1) - x.col(0), b = x.col(2) - x.col(0), way = point - x.col(0),
@@ -82,7 +85,7 @@ Vector3d Parts::coordinates(Index face, const Vector3d& point) const {
     return {1 - second - third, second, third};
 }
 
-/// Returns the earlier faces in some faces of the unfractured mesh.
+/// Returns the earlier faces that are parts of the faces `unbroken` of the unfractured mesh.
 std::vector<Index> Parts::parts_of(const std::set<Index>& unbroken) const {
     std::vector<Index> found;
     for (const Index face : unbroken)
@@ -92,9 +95,9 @@ std::vector<Index> Parts::parts_of(const std::set<Index>& unbroken) const {
     return found;
 }
 
-/// Returns the earlier faces in the rings around a face of the unfractured mesh, up to the first ring that
-/// has any: where cracks have moved vertices, the faces that cover it may all have neighbours of it as
-/// parents.
+/// Looks for earlier faces in the rings of faces around the face `unbroken` of the unfractured mesh, and
+/// returns all that it finds in the first ring that has any. Needed where cracks have moved vertices: the
+/// earlier faces that cover `unbroken` may then all have neighbours of it as parents.
 std::vector<Index> Parts::nearest_parts(Index unbroken) const {
     const auto& faces = later.rest.unfractured_faces;
     std::set<Index> ring{unbroken};

@@ -13,7 +13,7 @@
 namespace sherd {
 namespace {
 
-/// Finds the edge of the earlier frame on which an inserted edge lies.
+/// Finds the edge of the earlier frame on which an edge that was inserted later lies.
 class EdgeSearch {
   public:
     EdgeSearch(const Snapshot& earlier, const FrameParents& frame_parents) : frame_parents(frame_parents) {
@@ -23,7 +23,7 @@ class EdgeSearch {
         }
     }
 
-    /// Returns none if the edge lies inside a face.
+    /// Returns the number of the earlier edge; none if `edge` lies inside an earlier face.
     std::optional<std::size_t> below(const std::array<Index, 2>& edge) const {
         constexpr double round_off = 1e-9;
         std::set<Index> ends;
@@ -40,8 +40,8 @@ class EdgeSearch {
     std::map<std::array<Index, 2>, std::size_t> numbers;
 };
 
-/// Sets the strains and states of edges of the earlier frame. Edges that a crack made in between are its rim:
-/// they carry no hinge.
+/// Sets the strains and states of the edges that the earlier frame has. Edges that a crack has made since
+/// then form its rim and have no hinge: their strain and state stay.
 void report_edges(const Snapshot& earlier, double share, Snapshot& between) {
     for (std::size_t e = 0; e < earlier.edges.size() && e < between.edges.size(); ++e) {
         const bool unbroken =
@@ -55,8 +55,8 @@ void report_edges(const Snapshot& earlier, double share, Snapshot& between) {
     if (!between.edge_cohesive_share.empty()) between.edge_cohesive_share.resize(between.edges.size());
 }
 
-/// Sets the strains of inserted edges. Those with a hinge are parts of an edge that was split, or lie inside
-/// an earlier face, which does not bend.
+/// Sets the strains of edges that were inserted since the earlier frame. An inserted edge with a hinge is a
+/// part of an earlier edge, or lies inside an earlier face, which does not bend: its strain there was 0.
 void report_inserted_edges(const Snapshot& earlier, const FrameParents& frame_parents, double share,
                            Snapshot& between) {
     std::optional<EdgeSearch> search;
@@ -69,8 +69,8 @@ void report_inserted_edges(const Snapshot& earlier, const FrameParents& frame_pa
     }
 }
 
-/// Angle, rad, from the first axis of a face's rest frame in the later frame to that of the earlier face that
-/// it was, or was a part of.
+/// Returns the angle, rad, from the first axis (frame_axes()) of the later face `face` at rest to the first
+/// axis of the earlier face `before`, which `face` was or was a part of.
 double turn_of_frame(const RestMesh& earlier, Index before, const RestMesh& later, std::size_t face) {
     if (earlier.faces[before] == later.faces[face]) return 0;
     const auto axes = frame_axes(columns(later.position, later.faces[face]));
@@ -78,8 +78,8 @@ double turn_of_frame(const RestMesh& earlier, Index before, const RestMesh& late
     return std::atan2(axes.col(1).dot(old), axes.col(0).dot(old));
 }
 
-/// Interpolates the fields of faces that both frames have. Components are those in the frames of the later
-/// faces.
+/// Interpolates the fields of faces that both frames have. Components of tensors refer to the axes of the
+/// later faces.
 void report_fields(const Snapshot& earlier, const FrameParents& frame_parents, double share,
                    Snapshot& between) {
     std::vector<const Eigen::Matrix3Xd*> before;

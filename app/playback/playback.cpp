@@ -34,7 +34,7 @@ std::vector<PlaybackTime> even_times(std::span<const std::size_t> frames, std::s
                         "them smaller, or choose fewer --frames",
                         steps + 1, most_moments));
     std::vector<PlaybackTime> moments;
-    std::size_t at = 0;  // last frame that is not later than the moment
+    std::size_t at = 0;  // index of the last frame that is not later than the moment
     for (std::size_t i = 0; i < static_cast<std::size_t>(steps); ++i) {
         const double time = times.front() + static_cast<double>(i) * step;
         const auto share = [&] { return (time - times[at]) / (times[at + 1] - times[at]); };

@@ -20,7 +20,7 @@ void check_slow_motion(const SlowMotion& motion) {
 }
 
 double default_slowdown(double seconds) {
-    constexpr double shortest = 4 * (1 - 1e-9);  // s; 0.04 s times 100 is 4 s in spite of round-off
+    constexpr double shortest = 4 * (1 - 1e-9);  // s, reduced for round-off: 0.04 s times 100 counts as 4 s
     if (!(seconds > 0)) return 1;
     for (double decade = 1; std::isfinite(decade); decade *= 10)
         for (const double digit : {1.0, 2.0, 5.0})

@@ -32,7 +32,7 @@ double seconds(const timeval& time) {
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-/// Creates a pipe; keeps its read end, and returns its write end.
+/// Creates a pipe, moves its read end into `to_read`, and returns its write end.
 Descriptor open_pipe(Descriptor& to_read) {
     std::array<int, 2> ends{-1, -1};
     require(pipe2(ends.data(), O_CLOEXEC) == 0 ? 0 : errno);
@@ -40,7 +40,8 @@ Descriptor open_pipe(Descriptor& to_read) {
     return Descriptor(ends[1]);
 }
 
-/// Appends the output that is in a pipe; returns false at its end.
+/// Appends to `text` output that waits in a pipe; does not wait for more. Returns false at the end of the
+/// pipe.
 bool read_some(int pipe, std::string& text) {
     pollfd waiting{pipe, POLLIN, 0};
     if (poll(&waiting, 1, 0) <= 0) return true;
@@ -50,7 +51,7 @@ bool read_some(int pipe, std::string& text) {
     return count > 0 || (count < 0 && errno == EINTR);
 }
 
-/// Removes the whole lines from the beginning of a text, and returns them.
+/// Removes the complete lines from the beginning of a text, and returns them.
 std::vector<std::string> take_lines(std::string& text) {
     std::vector<std::string> lines;
     for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n')) {
@@ -81,7 +82,7 @@ ChildProcess::ChildProcess(std::vector<std::string> arguments, const std::string
 
 ChildProcess::~ChildProcess() {
     interrupt();
-    wait();  // with the pipes open: its last output must not end it
+    wait();  // the pipes stay open for the child's last output
 }
 
 void ChildProcess::interrupt() const {

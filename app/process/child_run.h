@@ -11,13 +11,14 @@
 
 namespace sherd {
 
-/// A child process, of this program or another one, with its output in pipes, and a further pipe for its
-/// progress.
+/// A child process that runs this program or another one. Pipes connect it to this process: for its stdout,
+/// its stderr and the reports of its progress.
 class ChildProcess {
   public:
     static constexpr const char* this_program = "sherd";
 
-    /// arguments: without the program's name. Throws Error (run) when it cannot be started.
+    /// Starts `program`. arguments: the words of the command line after the program's name. Throws Error
+    /// (run) if the program cannot be started.
     explicit ChildProcess(std::vector<std::string> arguments, const std::string& program = this_program);
     /// Interrupts the process if it is still running, and waits for its end.
     ~ChildProcess();
@@ -26,43 +27,43 @@ class ChildProcess {
 
     /// Sends SIGTERM.
     void interrupt() const;
-    /// Waits for the end of the process. Returns its exit code; 128 + signal if one ended it.
+    /// Waits for the end of the process. Returns its exit code; 128 + signal if a signal ended it.
     int wait();
 
-    static constexpr int report_descriptor = 3;  ///< where the child writes what `reports` reads
+    static constexpr int report_descriptor = 3;  ///< descriptor to which the child writes reports
 
-    Descriptor out, err, reports;  ///< read ends of its stdout, its stderr, its reports
-    double processor_seconds = 0;  ///< processor time, after wait()
+    Descriptor out, err, reports;  ///< read ends of the pipes for stdout, stderr and reports
+    double processor_seconds = 0;  ///< s, processor time of the child; set by wait()
 
   private:
-    int process = 0;  ///< 0: ended
+    int process = 0;  ///< process id; 0: none, or ended
 };
 
-/// A run in a child process.
+/// A run in a child process, with its output and progress.
 class ChildRun {
   public:
-    /// total: its progress at the end, such as the scene's duration. Throws Error (run) if it cannot be
-    /// started.
+    /// Starts the run. name: precedes its lines on stderr; may be empty. total: progress at its end, such as
+    /// the scene's duration. Throws Error (run) if the process cannot be started.
     ChildRun(std::string name, double total, std::vector<std::string> arguments,
              const std::string& program = ChildProcess::this_program);
 
-    /// Adds the pipes that are still open.
+    /// Adds those of the run's pipes that are still open to `pipes`, for poll().
     void add_pipes(std::vector<pollfd>& pipes) const;
-    /// Reads the output that is in the pipes, and the progress into the meter. Returns false when all have
-    /// ended.
+    /// Reads the output that waits in the pipes, and updates `meter` with the progress in it. Returns false
+    /// when all pipes have ended.
     bool listen();
-    /// Returns its output on stderr since the last call, in whole lines, each with its name in front if it
-    /// has one; at its end all of the rest.
+    /// Returns the complete lines that the process has written to stderr since the last call, each with the
+    /// run's name in front unless that is empty. When all pipes have ended, includes an incomplete last line.
     std::string take_words();
     /// Waits for the end of the process; returns its exit code.
     int finish();
     void interrupt() { process.interrupt(); }
-    /// Processor time, s; after finish().
+    /// Returns the processor time of the process, s; to be called after finish().
     double processor_seconds() const { return process.processor_seconds; }
 
     std::string name;
     ProgressMeter meter;
-    std::string results;  ///< stdout
+    std::string results;  ///< output on stdout so far
 
   private:
     bool is_open() const { return out_open || err_open || reports_open; }
@@ -79,10 +80,11 @@ struct ProgramEnd {
     std::string out, err;
 };
 
-/// Runs a program to its end. Throws Error (run) when it cannot be started.
+/// Runs a program to its end, and returns its output. Throws Error (run) if the program cannot be started.
 ProgramEnd end_of(const std::string& program, const std::vector<std::string>& arguments);
 
-/// Returns the error in the output of a program of this project, or the last line of another program.
+/// Returns the first error message in `words`, the output of a program of this project. If there is none, as
+/// for other programs, returns the last line that is not empty.
 std::string reason_in(const std::string& words);
 
 }  // namespace sherd

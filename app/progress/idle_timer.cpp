@@ -7,8 +7,8 @@
 namespace sherd {
 namespace {
 
-/// Blocks all signals while a thread is started, which inherits that: signals stay with the thread that waits
-/// for them.
+/// Blocks all signals in this thread during its lifetime. A thread that is started then inherits the
+/// blocking, so that signals are delivered only to this thread, which waits for them.
 class BlockedSignals {
   public:
     BlockedSignals() {

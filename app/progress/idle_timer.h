@@ -13,7 +13,7 @@ namespace sherd {
 class IdleTimer {
   public:
     IdleTimer(std::chrono::milliseconds interval, std::function<void()> call);
-    /// Waits for a call in progress.
+    /// Ends the thread, after a call in progress.
     ~IdleTimer();
     IdleTimer(const IdleTimer&) = delete;
 

@@ -12,7 +12,7 @@
 namespace sherd {
 namespace {
 
-volatile std::sig_atomic_t signalled = 0;  // set by a signal handler, which may use nothing else
+volatile std::sig_atomic_t signalled = 0;  // number of the signal; of this type, as a signal handler sets it
 
 void end_at_once(int signal) {
     constexpr std::string_view words = "\nsherd: interrupted\n";  // after a line that may be incomplete

@@ -7,14 +7,15 @@ namespace sherd {
 /// use for a program that a signal ended.
 void end_on_interruption();
 
-/// Makes the first Ctrl-C or SIGTERM set interrupted(), and a second one end the program.
+/// Makes the first Ctrl-C or SIGTERM set interrupted(), and a second one end the program at once.
 void watch_for_interruption();
 bool interrupted();
-/// Exit code of a program that ends because of interrupted(): 130 after Ctrl-C, 143 after SIGTERM.
+/// Returns the exit code of a program that ends because of interrupted(): 130 after Ctrl-C, 143 after
+/// SIGTERM.
 int interruption_exit_code();
 
-/// For a child process of this program: ignores Ctrl-C, which a terminal sends to parent and child; the
-/// parent passes it on as SIGTERM. The child gets SIGTERM also when the parent ends.
+/// To be called in a child process of this program. The child then ignores Ctrl-C, which a terminal sends to
+/// parent and child; the parent passes it on as SIGTERM. The child also gets SIGTERM when the parent ends.
 void leave_interruption_to_parent();
 
 }  // namespace sherd

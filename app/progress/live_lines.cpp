@@ -63,7 +63,7 @@ void LiveLines::draw(std::vector<std::string> lines) {
     std::string text = to_first_line();
     for (std::size_t i = 0; i < lines.size(); ++i)
         text += (i == 0 ? "" : "\n") + lines[i] + erase_rest_of_line;
-    // Erases lines of a longer drawing, and those that a narrowed terminal has moved down.
+    // Erases lines of an earlier, longer drawing, and lines that a narrowed terminal has moved down.
     text += erase_rest_of_screen;
     drawn = lines.size();
     put(text + "\r");

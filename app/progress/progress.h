@@ -8,20 +8,21 @@ namespace sherd {
 /// Shows the progress of the program's single task on stderr. The destructor ends the line.
 class Progress {
   public:
-    /// total: all the work, in s of simulated time or in pieces; begun: the part that is done already.
+    /// total: all the work, for example simulated time in s or a number of pieces; begun: the part of it that
+    /// has been done before.
     explicit Progress(double total, double begun = 0) : meter(total, "", begun) {}
     ~Progress() { finish(); }
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// Starts the display; the first show() may be late.
+    /// Starts the display, so that something is printed even if the first show() is late.
     void begin() { display.begin(); }
-    /// amount: done until now, of the total.
+    /// Shows the progress. amount: the part of the total that is done now.
     void show(double amount, ProgressText text);
     void show(double amount, const std::string& what) { show(amount, {{{what, 1}}, {}}); }
     /// Clears the line, so that something else can be printed.
     void clear_for_output() { display.clear_for_output(); }
-    /// Leaves the last line in place.
+    /// Ends the task, and leaves its last line in place.
     void finish();
 
     double wall_seconds() const { return meter.wall_seconds(); }

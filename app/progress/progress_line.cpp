@@ -18,7 +18,7 @@ std::size_t width(const std::string& text) {
     return static_cast<std::size_t>(std::ranges::count_if(text, begins_character));
 }
 
-/// Returns the text, cut off if it is longer.
+/// Returns the text, cut off after `columns` characters.
 std::string cut(const std::string& text, std::size_t columns) {
     std::size_t seen = 0, end = 0;
     for (; end < text.size(); ++end)

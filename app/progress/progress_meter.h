@@ -7,20 +7,21 @@
 
 namespace sherd {
 
-/// Texts before and after the remaining time.
+/// Texts before and after the remaining time in a progress line.
 struct ProgressText {
     std::vector<ProgressPart> before, after;
 };
 
-/// Progress of a task, and its remaining time.
+/// Progress of a task, and its estimated remaining time.
 class ProgressMeter {
   public:
-    /// total: all the work, in s of simulated time or in pieces; begun: the part that is done already.
+    /// total: all the work, for example simulated time in s or a number of pieces; begun: the part of it that
+    /// has been done before.
     explicit ProgressMeter(double total, std::string name = "", double begun = 0);
 
-    /// amount: done until now, of the total.
+    /// amount: the part of the total that is done now.
     void update(double amount, ProgressText text);
-    /// Ends the task: its duration takes the place of the remaining time.
+    /// Ends the task: its duration takes the place of the remaining time. how: word before the duration.
     void end(const std::string& how = "took");
 
     const ProgressStatus& status() const { return current; }

@@ -15,9 +15,9 @@
 namespace sherd {
 namespace {
 
-constexpr double pause = 0.1;  // s between two reports, unless a tenth is done
+constexpr double pause = 0.1;  // s between two reports, unless another tenth is done
 
-constexpr Index most_substeps = 1000;  // most substeps of a step without a warning
+constexpr Index most_substeps = 1000;  // a step with more substeps causes a warning
 
 }  // namespace
 
@@ -32,7 +32,7 @@ void RunReporter::update(const RunProgress& progress) {
     if (descriptor < 0) return shown.show(progress.time, progress_text(progress));
     last = progress;
     sent.update(progress.time, {});
-    // Every tenth is reported, so that the lines in a file do not depend on the speed of a run.
+    // Every tenth of the run is reported, so that the lines in a file do not depend on the speed of the run.
     if (!sent.has_new_tenth() && wall_seconds() - last_sent < pause) return;
     last_sent = wall_seconds();
     send();
@@ -50,7 +50,7 @@ void RunReporter::finish() {
 
 void RunReporter::send() const {
     const std::string line = to_line(last);
-    // A line is shorter than a pipe's buffer, and so written whole.
+    // A line is shorter than a pipe's buffer, and is therefore written as a whole.
     ssize_t count;
     do count = write(descriptor, line.data(), line.size());
     while (count < 0 && errno == EINTR);

@@ -14,14 +14,15 @@ namespace sherd {
 /// Shows the progress of a run on stderr, or reports it to the process that started this one.
 class RunReporter {
   public:
-    /// duration: s; begun: s of it that earlier runs have simulated; descriptor: of the pipe to the other
-    /// process, negative: stderr only. Throws Error (input) if the descriptor is not open.
+    /// duration: simulated time of the whole run, s; begun: the part of it that earlier runs have simulated,
+    /// s; descriptor: file descriptor of the pipe to the other process, or negative to show the progress on
+    /// stderr. Throws Error (input) if the descriptor is not open.
     RunReporter(double duration, double begun, int descriptor);
 
     void update(const RunProgress& progress);
-    /// Prints a warning above the line.
+    /// Prints a warning above the progress line.
     void warn(const std::string& words);
-    /// Ends the line on stderr, or reports for the last time.
+    /// Ends the progress line on stderr, or sends a last report.
     void finish();
     double wall_seconds() const { return shown.wall_seconds(); }
 
@@ -32,14 +33,15 @@ class RunReporter {
     ProgressMeter sent;
     RunProgress last;
     int descriptor;
-    double last_sent = 0;  ///< s, of wall_seconds()
+    double last_sent = 0;  ///< s, wall_seconds() of the last report
 };
 
-/// Shows or reports the progress of a run, and warns once of a step with many substeps.
+/// Shows or reports the progress of a run, and warns once, of the first step with many substeps.
 class ProgressObserver : public RunObserver {
   public:
-    /// begun: s of the scene that earlier runs have simulated; totals: of the run, which must observe each
-    /// step before this does; descriptor: as for RunReporter, which may throw.
+    /// begun: the part of the scene's duration that earlier runs have simulated, s; totals: totals of the
+    /// run, which must observe each step before this object does; descriptor: as for RunReporter, whose
+    /// constructor may throw Error.
     ProgressObserver(const Scene& scene, double begun, const RunTotals& totals, int descriptor)
         : reporter(scene.duration, begun, descriptor), scene(scene), totals(totals) {}
 
@@ -52,7 +54,7 @@ class ProgressObserver : public RunObserver {
     RunReporter reporter;
     const Scene& scene;
     const RunTotals& totals;
-    bool warned = false;  ///< whether many substeps have been warned of
+    bool warned = false;  ///< whether the warning has been printed
 };
 
 }  // namespace sherd

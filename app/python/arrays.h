@@ -20,8 +20,8 @@ namespace py = pybind11;
 
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// Returns numbers [n], or [n, width]. With an owner, the array is a read-only view that keeps the owner
-/// alive; otherwise it is a copy.
+/// Returns an array of numbers: [rows], or, if `width` is more than 1, [rows, width]. With an owner, the
+/// array is a read-only view that keeps the owner alive; without one, the array is a copy.
 template <class Scalar>
 py::array numbers(const Scalar* first, std::size_t rows, std::size_t width, py::handle owner = {}) {
     std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(rows)};
@@ -52,14 +52,15 @@ inline py::array array_of(const Eigen::Isometry3d& motion) {
     return numbers(rows.data(), 4, 4);
 }
 
-/// Returns the vertices of each face.
+/// Returns the vertices of each face of a shell.
 std::vector<std::array<Index, 3>> corners_of(const Shell& shell);
 
 /// Returns the rows of an array [n, 3] as columns [3, n]. Throws Error, naming the array, if it has another
 /// shape or a number that is not finite.
 Positions columns_of(const Numbers& array, const std::string& name);
 
-/// Returns the rows of an array [count, 3] as columns; throws Error also if it has another number of rows.
+/// Returns the rows of an array [count, 3] as columns. Throws Error as columns_of() does, and also if the
+/// number of rows is not `count`.
 Positions columns_of(const Numbers& array, const std::string& name, Eigen::Index count);
 
 /// Returns the whole numbers of an array [n]. Throws Error, naming the array, if it has another shape, or a
@@ -70,7 +71,8 @@ std::vector<Index> indices_of(const Numbers& array, const std::string& name);
 template <std::size_t N>
 std::vector<std::array<Index, N>> rows_of(const Numbers& array, const std::string& name);
 
-/// Returns the edges between pairs of vertices [n, 2]. Throws Error, naming the pair, if there is no edge.
+/// Returns the edges between pairs of vertices [n, 2]. Throws Error, naming the pair, if there is no edge
+/// between its vertices.
 std::vector<Edge> edges_of(const Mesh& mesh, const Numbers& pairs);
 
 }  // namespace sherd::python

@@ -27,7 +27,7 @@ class SceneMechanics {
     const Shell& shell() const { return built.sheets.mechanics(); }
     const std::vector<std::string>& warnings() const { return warning_list; }
 
-    /// Returns the positions. Throws Error if there are not V.
+    /// Returns `positions`. Throws Error unless there are as many as vertices, V.
     Positions placed(Positions positions) const;
     struct Parts {
         double bending, membrane;  ///< J
@@ -85,7 +85,8 @@ FaceFields SceneMechanics::fields(const Positions& x) {
     return face_fields(shell(), all.face_strains(x), all.face_curvatures(x), {true, true, true});
 }
 
-/// Lower triangle in the form of scipy.sparse.csc_matrix: values, rows, starts of columns.
+/// Returns the lower triangle of the energy's second derivative in the form of scipy.sparse.csc_matrix:
+/// values, rows, starts of columns.
 py::tuple hessian(SceneMechanics& mechanics, const Numbers& positions) {
     const BlockMatrix matrix = mechanics.hessian(mechanics.placed(columns_of(positions, "positions")));
     const auto list = [](auto span) { return numbers(span.data(), span.size(), 1); };

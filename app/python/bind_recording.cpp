@@ -13,7 +13,7 @@
 namespace sherd::python {
 namespace {
 
-/// Index of a frame, which may be counted from the end.
+/// Returns the index of a frame; a negative `number` counts from the end.
 std::size_t number_of(const Recording& recording, py::ssize_t number) {
     const auto count = static_cast<py::ssize_t>(recording.frame_count());
     if (number < -count || number >= count)
@@ -27,7 +27,7 @@ py::array times(const Recording& recording) {
     return array_of(all);
 }
 
-/// Force and moment of each support and obstacle in each step.
+/// Returns force and moment of each support and obstacle in each step, by its name.
 py::dict recorded_reactions(const Recording& recording) {
     const std::vector<RecordedSupport> supports = recording.header().supports;
     const std::vector<StepReport> steps = recording.steps();
@@ -40,7 +40,7 @@ py::dict recorded_reactions(const Recording& recording) {
     return by_name;
 }
 
-/// Readings of each gauge in each step.
+/// Returns the recorded readings of each gauge in each step, by its name.
 py::dict recorded_gauges(const Recording& recording) {
     const std::vector<RecordedGauge> gauges = recording.header().gauges;
     const std::vector<StepReport> steps = recording.steps();
@@ -57,7 +57,7 @@ py::dict recorded_gauges(const Recording& recording) {
     return by_name;
 }
 
-/// The poses of each obstacle and body in a frame.
+/// Returns the poses of each obstacle and body in a frame, by its name.
 py::dict poses(const Recording& recording, py::ssize_t frame) {
     const std::vector<RecordedObstacle> obstacles = recording.obstacles();
     const std::vector<Eigen::Isometry3d> places = recording.poses(number_of(recording, frame));

@@ -27,7 +27,7 @@ FaceFieldChoice choice_of(const std::vector<std::string>& names) {
     return chosen_fields(names);
 }
 
-/// Force and moment of each support and obstacle, by its name.
+/// Returns force and moment of each support and obstacle at the end of the last step, by its name.
 py::dict reactions(LiveRun& run) {
     py::dict by_name;
     const std::optional<StepReport>& report = run.report();
@@ -39,7 +39,7 @@ py::dict reactions(LiveRun& run) {
     return by_name;
 }
 
-/// Pose of each obstacle and body at the simulation's time.
+/// Returns the pose of each obstacle and body at the simulation's time, by its name.
 py::dict current_poses(LiveRun& run) {
     const Simulation& simulation = run.simulation();
     const std::vector<Obstacle>& obstacles = simulation.obstacles();

@@ -7,7 +7,7 @@
 namespace sherd::python {
 namespace {
 
-/// Property that shows a list of the snapshot; None if it is empty.
+/// Returns the getter of a property: a view of the array that get(snapshot) returns, or None if it is empty.
 template <class Get>
 auto view_of(Get get) {
     return [get](py::object self) -> py::object {
@@ -32,7 +32,8 @@ auto view_of(Array FaceFields::*member) {
     return view_of([member](const Snapshot& one) -> const Array& { return one.fields.*member; });
 }
 
-/// Arrays of what files gave the meshes, by their names in recordings; shared values as their rows.
+/// Returns the attributes that files gave the meshes: arrays, by their names in recordings. Shared values are
+/// shown as numbers of rows.
 py::dict look_of(const Snapshot& frame) {
     py::dict arrays;
     visit_surface_attributes([&](const auto& attribute) {

@@ -37,7 +37,7 @@ LiveRun::LiveRun(const Scene& scene, int threads) : runner(scene, built(scene, t
 }
 
 void LiveRun::step() {
-    const ExclusiveUse turn(taken);  // taken under Python's lock, under which other threads read the run
+    const ExclusiveUse turn(taken);  // before another thread gets Python's lock
     const WithoutLock others;
     runner.advance();
 }

@@ -13,10 +13,11 @@
 
 namespace sherd::python {
 
-/// Exclusive use of a run by a thread: no other thread may read it during a step.
+/// Exclusive use of a run by a thread during the lifetime of this object: no other thread may read the run
+/// during a step.
 class ExclusiveUse {
   public:
-    /// Throws Error if another thread uses the run.
+    /// Sets `taken`. Throws Error if `taken` is set already, since another thread then uses the run.
     explicit ExclusiveUse(std::atomic<bool>& taken);
     ~ExclusiveUse() { taken = false; }
     ExclusiveUse(const ExclusiveUse&) = delete;
@@ -29,7 +30,7 @@ class ExclusiveUse {
 /// step().
 class LiveRun : RunObserver {
   public:
-    /// threads: largest number of them; results do not depend on it.
+    /// threads: largest number of threads in a step; results do not depend on it.
     LiveRun(const Scene& scene, int threads);
 
     /// Makes a step, without Python's lock. Frames of a recording are written with the lock, since only one
@@ -40,10 +41,10 @@ class LiveRun : RunObserver {
     /// Returns the simulation, to be changed between two steps.
     Simulation& changed();
 
-    /// Starts a recording. Throws Error (input) after the first step, if the run is being recorded, or if the
-    /// recording cannot be created.
+    /// Starts a recording. Throws Error (input) after the first step, if the run is being recorded already,
+    /// or if the recording cannot be created.
     void record(const std::filesystem::path& file, bool force);
-    /// Ends the recording; failure: why the run failed, or "".
+    /// Ends the recording. failure: why the run failed, or "" if it did not fail.
     void end_recording(const std::string& failure);
 
     const Scene& scene() const { return runner.scene(); }

@@ -8,7 +8,7 @@
 
 namespace sherd::python {
 
-/// The columns of a table of recordings, as arrays by name.
+/// Returns the columns of a table of a recording, as arrays by the columns' names.
 template <class Row>
 py::dict columns_by_name(const std::vector<Row>& rows) {
     using namespace recording_format;
@@ -21,7 +21,7 @@ py::dict columns_by_name(const std::vector<Row>& rows) {
     return columns;
 }
 
-/// Columns of all events, by kind.
+/// Returns the columns of all events, by the kind of event.
 inline py::dict events_by_kind(const CrackEvents& events) {
     py::dict by_kind;
     visit_kinds([&]<class Event>(std::vector<Event> CrackEvents::*kind) {
@@ -31,7 +31,7 @@ inline py::dict events_by_kind(const CrackEvents& events) {
     return by_kind;
 }
 
-/// Returns an entry of a row for Python.
+/// Returns an entry of a table's row as a Python object.
 template <class T>
 py::object value_of(const T& value) {
     if constexpr (std::same_as<T, Vector3d>)

@@ -11,8 +11,8 @@
 namespace sherd::python {
 namespace {
 
-/// State of the threads without the lock. A process has a single Python, and so a single object of this
-/// struct.
+/// State of the threads that have released Python's lock. A process has a single Python, and thus a single
+/// object of this struct.
 struct Outside {
     std::mutex mutex;
     std::condition_variable changed;

@@ -3,9 +3,10 @@
 
 namespace sherd::python {
 
-/// Releases Python's lock for other threads during its lifetime. When Python ends, end_of_python() waits for
-/// all such objects, and their threads sleep from then on: a daemon thread that requested the lock after that
-/// would be ended by Python in the middle of C++, which ends the program (SIGABRT).
+/// Releases Python's lock for other threads during its lifetime. When Python ends, end_of_python() waits
+/// until the destructors of all such objects have been called; their threads then sleep and never take the
+/// lock again. Without this, Python would end a daemon thread that requests the lock in the middle of C++,
+/// which ends the program (SIGABRT).
 class WithoutLock {
   public:
     WithoutLock();
@@ -16,7 +17,7 @@ class WithoutLock {
     void* state;  ///< PyThreadState
 };
 
-/// To be called by `atexit`, with the lock: from then on no thread returns to Python.
+/// To be called by `atexit`, with Python's lock: from then on no thread returns to Python.
 void end_of_python();
 
 }  // namespace sherd::python

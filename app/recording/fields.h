@@ -7,8 +7,8 @@
 
 namespace sherd {
 
-/// Throws Error (input), with advice on recording it, if a frame does not have the field `name` (of
-/// output.fields).
+/// Throws Error (input) if `values`, the field `name` of a frame (one of output.fields), has no columns, that
+/// is, was not recorded. The message says how to record the field.
 void require_field(const Eigen::Matrix3Xd& values, const std::string& name);
 
 }  // namespace sherd

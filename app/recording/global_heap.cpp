@@ -12,8 +12,8 @@ namespace sherd::hdf5 {
 namespace {
 
 constexpr std::string_view signature = "GCOL";
-constexpr std::size_t head = 16;             // bytes, header of a collection, and of each object in it
-constexpr std::uint64_t longest = 1U << 30;  // bytes, longest collection: sums of lengths do not overflow
+constexpr std::size_t head = 16;             // bytes, header of a collection or of an object in it
+constexpr std::uint64_t longest = 1U << 30;  // bytes, longest collection; prevents overflow
 
 template <class T>
 T number_at(std::span<const std::byte> block, std::size_t place) {

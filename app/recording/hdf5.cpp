@@ -33,7 +33,7 @@ void store_attribute(hid_t where, const std::string& name, hid_t type, const voi
     checked(H5Awrite(attribute, type, value), what);
 }
 
-/// Opens an attribute of one value and of class `kind`; throws Error (run) if it has another type.
+/// Opens an attribute; throws Error (run) unless it has a single value of the type class `kind`.
 Handle open_attribute(hid_t where, const std::string& name, H5T_class_t kind) {
     const std::string what = "cannot read attribute '" + name + "'";
     Handle attribute(checked(H5Aopen(where, name.c_str(), H5P_DEFAULT), what));
@@ -65,7 +65,7 @@ Handle new_group(hid_t where, const std::string& name) {
                 "cannot create group '" + name + "'"));
 }
 
-/// Creates the missing parent groups of `name`. HDF5 would store the time of creation with them.
+/// Creates the missing parent groups of `name`. HDF5 itself would create them with their time of creation.
 void make_groups_above(hid_t where, const std::string& name) {
     for (std::size_t end = name.find('/', 1); end != std::string::npos; end = name.find('/', end + 1))
         if (const std::string above = name.substr(0, end); !contains(where, above)) new_group(where, above);
@@ -98,7 +98,7 @@ void describe(hid_t dataset, const Meaning& meaning) {
 /// Throws Error (run) if the header of a dataset claims more values than its stored bytes can hold: readers
 /// allocate what the header claims.
 void require_stored(hid_t dataset, const std::string& name, const std::vector<hsize_t>& shape) {
-    constexpr double few = 1 << 17;  // values
+    constexpr double few = 1 << 17;  // number of values that need no check
     double values = 1;
     for (const hsize_t length : shape) values *= static_cast<double>(length);
     if (values < few) return;
@@ -237,7 +237,8 @@ void create_array(hid_t where, const std::string& name, hid_t type, std::span<co
     const Handle layout = timeless(H5P_DATASET_CREATE);
     const bool empty = H5Sget_simple_extent_npoints(space) == 0;
     if (!empty) {
-        // Large enough that a frame of an ordinary plate is one chunk, small enough for HDF5's chunk cache.
+        // A chunk is large enough that a frame of an ordinary plate is one chunk, and small enough for HDF5's
+        // chunk cache.
         std::vector<hsize_t> chunk(shape.begin(), shape.end());
         hsize_t& rows = chunk[rank == 1 ? 0 : rank - 2];
         rows = std::min<hsize_t>(rows, 32768);

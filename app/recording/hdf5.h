@@ -14,8 +14,8 @@
 
 #include "core/vector.h"
 
-/// Functions of HDF5 that a recording needs. Every function throws Error (Fault::run), with the name of the
-/// object and HDF5's own reason, when it fails.
+/// Functions of HDF5 that a recording needs. Every function throws Error (Fault::run) on failure, with the
+/// name of the object and HDF5's own reason.
 namespace sherd::hdf5 {
 
 /// Owns an HDF5 identifier of any kind.
@@ -32,14 +32,15 @@ class Handle {
     }
     operator hid_t() const { return id; }
 
-    /// Releases the identifier now, and throws Error if that fails, as a delayed write may.
+    /// Releases the identifier now, and throws Error if that fails, for example because a delayed write
+    /// fails. what: name of the object for the message.
     void close(const std::string& what);
 
   private:
     hid_t id;
 };
 
-/// Layout of the values of a C++ type in a dataset: [rows] of `Scalar`, or [rows, width].
+/// How a dataset stores values of a C++ type: [rows] of `Scalar` if `width` is 1, otherwise [rows, width].
 template <class T>
 struct Element {
     using Scalar = T;
@@ -76,12 +77,14 @@ struct Meaning {
     const char* description = "";
 };
 
-/// Objects are named by their path below `where`; groups on the way are created when they are missing.
+/// In all functions below, `name` is the path of an object below `where`. Functions that create an object
+/// also create the missing groups of its path.
 Handle create_group(hid_t where, const std::string& name);
 Handle open_group(hid_t where, const std::string& name);
 bool contains(hid_t where, const std::string& name);
 std::size_t member_count(hid_t where, const std::string& group);
-/// Creation properties of the class `kind` without a time of creation: equal runs give equal files.
+/// Returns creation properties of the HDF5 class `kind`, without a time of creation, so that equal runs give
+/// equal files.
 Handle timeless(hid_t kind);
 /// Returns the names in a group, in alphabetical order.
 std::vector<std::string> member_names(hid_t where, const std::string& group);
@@ -89,7 +92,7 @@ void remove(hid_t where, const std::string& name);
 /// Creates a soft link to the path `target` of the same file.
 void create_link(hid_t where, const std::string& name, const std::string& target);
 
-/// Attributes of a file, group or dataset. Writing one again replaces its value.
+/// Attributes of a file, group or dataset. Writing an existing attribute replaces its value.
 void write_attribute(hid_t where, const std::string& name, const std::string& value);
 void write_attribute(hid_t where, const std::string& name, double value);
 void write_attribute(hid_t where, const std::string& name, std::int64_t value);
@@ -103,7 +106,7 @@ std::string read_text(hid_t where, const std::string& name);
 void write_texts(hid_t where, const std::string& name, const std::vector<std::string>& texts);
 std::vector<std::string> read_texts(hid_t where, const std::string& name);
 
-/// Untyped versions of the functions below; `type` is the type in memory.
+/// Untyped versions of the functions below; `type` is HDF5's type of the values in memory.
 void create_array(hid_t where, const std::string& name, hid_t type, std::span<const hsize_t> shape,
                   const void* values, const Meaning& meaning);
 inline void create_array(hid_t where, const std::string& name, hid_t type, hsize_t rows, hsize_t width,
@@ -114,13 +117,13 @@ inline void create_array(hid_t where, const std::string& name, hid_t type, hsize
 void create_table(hid_t where, const std::string& name, hid_t type, hsize_t width, const Meaning& meaning);
 void append_table(hid_t where, const std::string& name, hid_t type, hsize_t rows, hsize_t width,
                   const void* values);
-/// Reads a whole dataset. With `width`, throws Error unless it has `width` values a row, and reads nothing if
-/// it has no rows.
+/// Reads a whole dataset into `values`. The function with `width` throws Error unless the dataset has `width`
+/// values in each row, and reads nothing if there are no rows.
 void read_array(hid_t where, const std::string& name, hid_t type, void* values);
 void read_array(hid_t where, const std::string& name, hid_t type, hsize_t width, void* values);
-/// The lengths of a dataset along its dimensions.
+/// Returns the lengths of a dataset along its dimensions.
 std::vector<hsize_t> shape_of(hid_t where, const std::string& name);
-/// Returns the number of rows of a dataset; throws when its other dimension is not `width`.
+/// Returns the number of rows of a dataset; throws Error unless each row has `width` values.
 hsize_t row_count(hid_t where, const std::string& name, hsize_t width);
 void resize_table(hid_t where, const std::string& name, hsize_t rows);
 
@@ -132,7 +135,7 @@ void write(hid_t where, const std::string& name, std::span<const T> values, cons
                  meaning);
 }
 
-/// Makes an empty dataset that rows are appended to.
+/// Creates an empty dataset, to which append() adds rows.
 template <class T>
 void create_column(hid_t where, const std::string& name, const Meaning& meaning) {
     create_table(where, name, native_type<typename Element<T>::Scalar>(), Element<T>::width, meaning);

@@ -16,7 +16,7 @@ struct DriverInfo {
     ByteFile* file;
 };
 
-/// An open file. HDF5 reads and fills the base.
+/// An open file. HDF5 itself sets and uses the members of the base class.
 struct OpenFile : H5FD_t {
     ByteFile* bytes = nullptr;
     haddr_t end_of_addresses = 0;
@@ -30,7 +30,8 @@ const OpenFile& open_file(const H5FD_t* file) {
     return *static_cast<const OpenFile*>(file);
 }
 
-/// Reports exceptions of `action` to HDF5 as errors: none may propagate through HDF5, which is C.
+/// Calls `action`, and reports its exceptions to HDF5 as errors, since no exception may propagate through the
+/// C code of HDF5. Returns 0, or -1 after an exception.
 template <class Action>
 herr_t without_exceptions(Action action) {
     try {
@@ -56,7 +57,8 @@ herr_t close(H5FD_t* file) {
     return 0;
 }
 
-/// Features of HDF5's own file driver that change the layout, so that recordings do not depend on the driver.
+/// Reports the features of HDF5's own file driver that affect the layout of a file, so that recordings are as
+/// that driver would write them.
 herr_t query(const H5FD_t*, unsigned long* features) {
     *features = H5FD_FEAT_AGGREGATE_METADATA | H5FD_FEAT_ACCUMULATE_METADATA | H5FD_FEAT_DATA_SIEVE |
                 H5FD_FEAT_AGGREGATE_SMALLDATA | H5FD_FEAT_DEFAULT_VFD_COMPATIBLE;
@@ -121,9 +123,9 @@ Handle register_driver() {
     return Handle(H5FDregister(&driver));
 }
 
-/// Access properties of a file. Closing the file closes all its objects, too (H5F_CLOSE_STRONG). In the
-/// format of HDF5 1.10 all metadata have checksums, without which HDF5 reads anywhere in a damaged file; it
-/// is smaller and faster to write, too.
+/// Returns access properties for a file. Closing the file closes all its objects, too (H5F_CLOSE_STRONG). The
+/// file has the format of HDF5 1.10, in which all metadata have checksums; without checksums HDF5 may read
+/// anywhere in a damaged file. The format is also smaller and faster to write.
 Handle access_to(ByteFile& file, const Handle& driver) {
     const DriverInfo info{&file};
     Handle access(H5Pcreate(H5P_FILE_ACCESS));

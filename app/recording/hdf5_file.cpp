@@ -12,7 +12,7 @@
 namespace sherd::hdf5 {
 namespace {
 
-constexpr auto patience = std::chrono::seconds(10);  // longest wait for a writer, which takes milliseconds
+constexpr auto patience = std::chrono::seconds(10);  // longest wait for a writer's lock
 
 void fill_and_close(ByteFile& bytes, const std::string& name, Access access,
                     const std::function<void(hid_t)>& fill) {

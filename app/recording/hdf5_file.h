@@ -16,8 +16,8 @@ namespace sherd::hdf5 {
 /// An HDF5 file that is open for reading, in its last committed state.
 class ReadableFile {
   public:
-    /// Waits for a writer to finish. Throws Error: (input) when the file is missing, damaged or not HDF5,
-    /// (run) when another program has locked it.
+    /// Opens the file, after waiting for a writer that has locked it. Throws Error (input) if the file is
+    /// missing, damaged or not HDF5, Error (run) if another program keeps it locked.
     explicit ReadableFile(const std::filesystem::path& file);
     operator hid_t() const { return opened.file; }
 
@@ -26,10 +26,11 @@ class ReadableFile {
     OpenedFile opened;
 };
 
-/// Fills a new HDF5 file. Throws Error (run) if the disk is full.
+/// Creates an HDF5 file by `fill`, and writes it into `file`. Throws Error (run) if the disk is full.
 void write_new(PendingFile& file, const std::function<void(hid_t)>& fill);
 
-/// Changes an HDF5 file completely, or not at all if `edit` or the file throws Error.
+/// Changes an HDF5 file by `edit`, and commits the change. If `edit` or writing throws Error, passes it on
+/// and leaves the file unchanged.
 void change(JournaledFile& file, const std::function<void(hid_t)>& edit);
 
 }  // namespace sherd::hdf5

@@ -36,7 +36,8 @@ std::size_t rows_of(const auto& values) {
         return static_cast<std::size_t>(values.size());
 }
 
-/// Returns the first fault of a look, or "". faces, vertices: their numbers at rest.
+/// Returns a message on the first fault of a look, or "" if it has none. faces, vertices: numbers of faces
+/// and of vertices at rest.
 std::string look_fault(const SurfaceLook& look, std::size_t faces, std::size_t vertices) {
     std::string fault;
     const auto check = [&](const auto& attribute, const char* elements, std::size_t wanted) {
@@ -49,7 +50,8 @@ std::string look_fault(const SurfaceLook& look, std::size_t faces, std::size_t v
     return fault;
 }
 
-/// Numbers of elements that a snapshot has, by its first array of each kind, and that its indices may name.
+/// Numbers of elements of a snapshot, by its first array of each kind of element. Other arrays of the kind
+/// must have the same length, and indices of such elements must be smaller.
 struct Counts {
     Counts(const Snapshot& s, std::size_t unfractured_vertices)
         : vertices(static_cast<std::size_t>(s.position.cols())),
@@ -59,7 +61,7 @@ struct Counts {
           unfractured_vertices(unfractured_vertices),
           unfractured_faces(s.rest.unfractured_faces.size()) {}
 
-    /// The first array of a kind, and its length.
+    /// Returns the name and the length of the first array of a kind of element.
     std::pair<const char*, std::size_t> first(Elements entries) const {
         switch (entries) {
             case Elements::vertices:
@@ -73,7 +75,7 @@ struct Counts {
         }
         return {"rest/position", rest_vertices};
     }
-    /// Things that indices number, and the end of the numbers that exist.
+    /// Returns the word for the elements to which indices of a kind refer, and the number of these elements.
     std::pair<const char*, std::size_t> named(Names names) const {
         switch (names) {
             case Names::vertices:
@@ -115,7 +117,8 @@ std::string length_fault(const Snapshot& s, const Counts& counts) {
     return fault;
 }
 
-/// Returns a message if a field of faces, where a frame has it, is not as long as the faces, or "".
+/// Returns a message if a field of faces that the frame has does not have a column for each face; otherwise
+/// "".
 std::string field_fault(const Snapshot& s) {
     std::string fault;
     visit_fields(s.fields, [&](const char* name, const Eigen::Matrix3Xd& values, const FieldMeaning&) {
@@ -149,8 +152,8 @@ bool are_shares(const auto& weights) {
            std::abs(weights[0] + weights[1] + weights[2] - 1) <= weight_tolerance;
 }
 
-/// Returns the first fault of the parents and weights, or "". Requires arrays without faults of length and
-/// index.
+/// Returns a message on the first fault of the parents and weights of the mesh at rest, or "" if there is
+/// none. Requires that lengths and indices have no faults.
 std::string parent_fault(const Snapshot& s) {
     const RestMesh& rest = s.rest;
     for (std::size_t v = 0; v < rest.vertex_weights.size(); ++v)

@@ -14,18 +14,19 @@
 namespace sherd::recording_format {
 
 inline constexpr const char* format = "sherd recording";
-/// Suffix of the names of a field's principal values.
+/// Suffix that makes the name of a field the name of its principal values.
 inline constexpr const char* principal_suffix = "_principal";
 inline constexpr std::int64_t version = 4;
-/// Oldest version that can be read: its mesh at rest does not change. Version 3 lacks crack tips.
+/// Oldest version that can be read. In version 2 all frames have the same mesh at rest; version 3 lacks crack
+/// tips.
 inline constexpr std::int64_t oldest_version = 2;
 
 inline hdf5::Meaning meaning_of(const SnapshotArray& array) {
     return {array.unit, array.meaning};
 }
 
-/// Calls visit(dataset name, meaning, array, whether the third component is 2 * 01) for every field of faces,
-/// also for those that a frame does not have.
+/// Calls visit(dataset name, meaning, array, whether the third component is twice the component 01) for every
+/// field of faces, including fields that a frame does not have.
 template <class F, class Visit>
 void visit_field_arrays(F& fields, Visit visit) {
     visit_fields(fields, [&](const char* name, auto& values, const FieldMeaning& meaning) {
@@ -33,12 +34,12 @@ void visit_field_arrays(F& fields, Visit visit) {
     });
 }
 
-/// Name of RecordingHeader::rest_axis in the group of the unfractured mesh; absent if empty.
+/// Dataset of RecordingHeader::rest_axis in the group of the unfractured mesh; absent if the list is empty.
 inline constexpr const char* material_axis = "axis";
 
-/// Calls visit(attribute) for each attribute of SurfaceLook that is recorded, as a dataset in the group of a
-/// mesh at rest; empty lists are not stored. A list of shared values is stored as the row of each, and beside
-/// it their names, and definitions, as texts of several lines.
+/// Calls visit(attribute) for each attribute of SurfaceLook that is recorded. Each attribute is a dataset in
+/// the group of a mesh at rest, unless its list is empty. A list of pointers to shared values is stored as
+/// numbers of rows; datasets beside it hold the names, and for materials the definitions, of these rows.
 template <class Visit>
 void visit_recorded_attributes(const Visit& visit) {
     visit_surface_attributes([&](const auto& attribute) {
@@ -53,8 +54,9 @@ inline std::string definitions_of(const std::string& attribute) {
     return attribute + "_definitions";
 }
 
-/// A table with a row for each `Row`: its group, the first version of the format that has it, and
-/// visit(column name, meaning, member) for every column.
+/// Layout of a table with a row for each object of type `Row`. `group` is its group in the file; `since` is
+/// the first version of the format that has the table; visit() calls visit(column name, meaning, member) for
+/// every column.
 template <class Row>
 struct Table;
 
@@ -62,7 +64,7 @@ template <>
 struct Table<StepReport> {
     static constexpr const char* group = "steps";
     static constexpr std::int64_t since = 2;
-    /// Whether recordings of older versions may lack the column.
+    /// Whether recordings of older versions may lack the column `name`.
     static constexpr bool may_lack(std::string_view name) {
         return name == "load" || name == "residual" || name == "unexplained" || name == "exempt_pairs" ||
                name == "is_explicit" || name == "urgency" || name == "peak_yield" ||
@@ -142,7 +144,7 @@ struct Table<StepReport> {
     }
 };
 
-/// Table beside Table<StepReport>, one for each support.
+/// Table of a support, with a row for each row of Table<StepReport>.
 template <>
 struct Table<Reaction> {
     template <class Visit>
@@ -155,10 +157,11 @@ struct Table<Reaction> {
     }
 };
 
-/// Table beside Table<StepReport>, one for each gauge.
+/// Table of a gauge, with a row for each row of Table<StepReport>.
 template <>
 struct Table<GaugeReading> {
-    static constexpr bool may_lack(std::string_view) { return true; }  ///< unless is_recorded()
+    /// Any column may be missing: is_recorded() says which are not recorded.
+    static constexpr bool may_lack(std::string_view) { return true; }
     template <class Visit>
     static void visit(Visit visit) {
         using R = GaugeReading;
@@ -303,28 +306,30 @@ struct Table<TipRecord> {
     }
 };
 
-/// Groups of the tables beside Table<StepReport>, which have a row for each step, too.
+/// Groups of the tables of supports and of gauges.
 inline constexpr const char *reaction_group = "steps/reaction", *gauge_group = "gauges";
 
 /// Group of natural modes, in recordings of modes.
 inline constexpr const char* mode_group = "modes";
 
-/// Calls visit(member of StepReport, group) for each of its lists of rows: a list has an entry for each table
-/// of the group, in the order of their attribute `number`.
+/// Calls visit(member of StepReport, group) for each member that is a list of rows. Entry i of the list is a
+/// row of the i-th table of the group; numbered_groups() orders these tables.
 template <class Visit>
 void visit_lists(Visit visit) {
     visit(&StepReport::reactions, reaction_group);
     visit(&StepReport::gauges, gauge_group);
 }
 
-/// Calls visit(std::type_identity<Row>) for every table of a recording.
+/// Calls visit(std::type_identity<Row>) for every table of a recording, except for the tables of
+/// visit_lists().
 template <class Visit>
 void visit_tables(Visit visit) {
     visit(std::type_identity<StepReport>{});
     visit_kinds([&]<class Event>(std::vector<Event> CrackEvents::*) { visit(std::type_identity<Event>{}); });
 }
 
-/// Returns the paths of the members of a group, if there is one, in the order of their attribute `number`.
+/// Returns the paths of the members of a group, which are groups, in the order of their attribute `number`;
+/// none if the group does not exist.
 std::vector<std::string> numbered_groups(hid_t file, const std::string& group);
 
 /// Returns a name that a member of a group may have: without slashes.
@@ -333,31 +338,31 @@ std::string member_name(std::string name);
 /// Returns the name of the group of a frame.
 std::string frame_group(std::size_t number);
 
-/// Name of RecordedObstacle::plane, which older recordings lack.
+/// Dataset of RecordedObstacle::plane, which older recordings lack.
 inline constexpr const char* obstacle_planes = "obstacles/plane";
-/// Name of RecordedObstacle::deforms; absent if no obstacle deforms.
+/// Dataset of RecordedObstacle::deforms; absent if no obstacle deforms.
 inline constexpr const char* obstacle_deforms = "obstacles/deforms";
 
 /// Returns the name of the group of an obstacle's surface.
 std::string obstacle_group(std::size_t number);
-/// Returns the paths of an obstacle's points and triangles.
+/// Returns the path of an obstacle's points or triangles. number: number of the obstacle.
 std::string obstacle_points(std::size_t number);
 std::string obstacle_points(std::size_t frame,
-                            std::size_t number);  ///< in a frame, if it has moved or deforms
+                            std::size_t number);  ///< points in a frame, if the obstacle has moved or deforms
 std::string obstacle_faces(std::size_t number);
 
-/// An obstacle's pose as it is stored: the three rows of rotation | translation.
+/// An obstacle's pose as it is stored: the rows of the matrix (rotation | translation in m).
 using StoredPose = std::array<double, 12>;
 
 /// Returns the unfractured mesh of a header.
 RestMesh unfractured_mesh(const RecordingHeader& header);
 
-/// Returns the first fault of the array lengths and indices of a snapshot, or "". unfractured_vertices:
+/// Returns a message on the first fault of a snapshot's arrays, or "" if there is none. unfractured_vertices:
 /// number of vertices of the run's unfractured mesh.
 std::string inconsistency(const Snapshot& snapshot, std::size_t unfractured_vertices);
-/// Returns the first fault of the mesh at rest, or "".
+/// Returns a message on the first fault of the mesh at rest, or "" if there is none.
 std::string inconsistency(const RecordingHeader& header);
-/// Returns the first fault of an obstacle's surface, or "".
+/// Returns a message on the first fault of an obstacle's surface, or "" if there is none.
 std::string inconsistency(const RecordedObstacle& obstacle);
 
 }  // namespace sherd::recording_format

@@ -34,7 +34,8 @@ void read_array(hid_t where, const std::string& name, std::vector<T>& values) {
     values = hdf5::read<T>(where, name);
 }
 
-/// Returns the flag of each obstacle; zeros if an older recording lacks the dataset.
+/// Returns a flag for each obstacle from the dataset `name`; zeros if an older recording lacks the dataset.
+/// obstacles: number of obstacles.
 std::vector<std::uint8_t> flags(hid_t file, const char* name, std::size_t obstacles) {
     if (!hdf5::contains(file, name)) return std::vector<std::uint8_t>(obstacles, 0);
     std::vector<std::uint8_t> flags = hdf5::read<std::uint8_t>(file, name);
@@ -63,7 +64,7 @@ void read_rows(hid_t where, const std::string& name, std::vector<SurfaceMaterial
     for (std::size_t i = 0; i < names.size(); ++i) rows.push_back({names[i], definitions[i]});
 }
 
-/// Reads shared values; throws Error if a row does not exist.
+/// Reads pointers to shared values; throws Error if they refer to a row that does not exist.
 template <class T>
 void read_array(hid_t where, const std::string& name, std::vector<std::shared_ptr<const T>>& values) {
     SharedValues<T> shared{.rows = {}, .number = hdf5::read<Index>(where, name)};
@@ -132,7 +133,7 @@ void read_choice(hid_t group, RecordedGauge& gauge) {
     gauge.axes << axes[0], axes[1];
 }
 
-/// Reads the fields that a frame has.
+/// Reads the fields of faces that a frame has.
 FaceFields read_fields(hid_t frame) {
     FaceFields fields;
     visit_field_arrays(fields, [&](const std::string& name, hdf5::Meaning, Eigen::Matrix3Xd& values, bool) {

@@ -6,7 +6,8 @@
 #include "app/recording/recording_format.h"
 #include "meshops/error.h"
 
-/// Tables of a recording: rows are plain structs, and each member is a column, a dataset.
+/// Tables of a recording. A row of a table is a plain struct; each member of the struct is a column, stored
+/// as a dataset.
 namespace sherd::recording_format {
 
 /// Stored type of a member: bools and enumerations become numbers, since HDF5 has no bool that all readers
@@ -18,7 +19,7 @@ inline std::string column(const std::string& group, const char* name) {
     return fmt::format("{}/{}", group, name);
 }
 
-/// Creates the columns whose names `wanted` accepts.
+/// Creates a table with the columns for whose names wanted(name) is true.
 template <class Row, class Wanted>
 void create_table(hid_t file, const std::string& group, Wanted wanted) {
     Table<Row>::visit([&]<class T>(const char* name, hdf5::Meaning meaning, T Row::*) {
@@ -31,7 +32,8 @@ void create_table(hid_t file, const std::string& group = Table<Row>::group) {
     create_table<Row>(file, group, [](const char*) { return true; });
 }
 
-/// Calls visit(column name, member) for every column that the file must have, or may lack and has.
+/// Calls visit(column name, member) for every column of a table, except for columns that the file may lack
+/// and does lack.
 template <class Row, class Visit>
 void visit_columns(hid_t file, const std::string& group, Visit visit) {
     Table<Row>::visit([&]<class T>(const char* name, hdf5::Meaning, T Row::*member) {
@@ -50,7 +52,7 @@ void append_table(hid_t file, std::span<const Row> rows, const std::string& grou
     });
 }
 
-/// Returns the number of rows that are complete.
+/// Returns the number of complete rows, that is, of rows that are in all columns.
 template <class Row>
 std::size_t table_rows(hid_t file, const std::string& group = Table<Row>::group) {
     std::size_t rows = SIZE_MAX;

@@ -34,8 +34,8 @@ std::vector<std::size_t> extent(hid_t file) {
     return rows;
 }
 
-/// Truncates the file to `frames` frames, and to `rows` rows of each table. Throws Error (run) if it holds
-/// less.
+/// Truncates the file to `frames` frames, and each table to the number of rows in `rows`. Throws Error (run)
+/// if the file holds less.
 void cut(hid_t file, std::size_t frames, std::span<const std::size_t> rows) {
     const std::vector<std::size_t> now = extent(file);
     const std::size_t frames_now = hdf5::member_count(file, "frames");
@@ -131,7 +131,8 @@ void write_rest(hid_t where, const RestMesh& rest) {
     write_look(where, "rest", rest.look);
 }
 
-/// Creates the group `path` of a table beside the steps, with the next number in `group`.
+/// Creates the group `path` in `group` for the table of a support or a gauge, and gives it the next number in
+/// `group`.
 hdf5::Handle create_numbered(hid_t file, const std::string& group, const std::string& path) {
     const auto number =
         static_cast<std::int64_t>(hdf5::contains(file, group) ? hdf5::member_count(file, group) : 0);
@@ -183,7 +184,7 @@ void write_head(hid_t file, const RecordingHeader& header) {
     for (const RecordedGauge& gauge : header.gauges) write_gauge(file, gauge);
 }
 
-/// Returns the two frame axes of each face in its current position, [6, F].
+/// Returns the two axes (frame_axes()) of each face in its current position, [6, F].
 Eigen::Matrix<double, 6, Eigen::Dynamic> axes_of_faces(const Snapshot& snapshot) {
     Eigen::Matrix<double, 6, Eigen::Dynamic> axes(6, static_cast<Eigen::Index>(snapshot.faces.size()));
     for (std::size_t f = 0; f < snapshot.faces.size(); ++f)
@@ -209,7 +210,8 @@ void write_fields(hid_t group, const Snapshot& snapshot) {
         axes_of_faces(snapshot));
 }
 
-/// same_rest: path of an earlier mesh at rest that equals this frame's; empty: none.
+/// Writes a frame. same_rest: path of a mesh at rest in the file that equals this frame's; empty if there is
+/// none.
 void write_frame(hid_t file, std::size_t number, const Snapshot& snapshot, const std::string& same_rest) {
     const hdf5::Handle group = hdf5::create_group(file, frame_group(number));
     hdf5::write_attribute(group, "time", snapshot.time);
@@ -293,8 +295,8 @@ XdmfFrame index_entry(const Snapshot& snapshot, const ObstaclePlaces& places) {
     return entry;
 }
 
-/// Whether the index is to be renewed. It is written as a whole: renewals with every frame would dominate
-/// long runs.
+/// Whether an index with `indexed` frames is to be renewed when there are `frames` frames. Each renewal
+/// writes the whole index, and would dominate long runs if it came with every frame.
 bool index_is_due(std::size_t frames, std::size_t indexed) {
     return frames >= indexed + std::max<std::size_t>(1, indexed / 100);
 }
@@ -371,7 +373,8 @@ void RecordingWriter::record(const Snapshot& snapshot, std::span<const StepRepor
     const std::size_t number = frames.size() - 1;
     const bool new_rest = !same_bits(snapshot.rest, rest);
     std::vector<std::size_t> longer_rows;
-    // The index is written before the recording changes, since it needs space; publishing it only renames it.
+    // The index is written before the recording changes, since that may fail on a full disk; publish() only
+    // renames the index.
     std::optional<PendingFile> index;
     if (index_is_due(frames.size(), indexed)) write_index(index.emplace(output.index, Fault::run));
     hdf5::change(recording, [&](hid_t opened) {

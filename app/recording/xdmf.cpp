@@ -21,17 +21,17 @@ constexpr const char* integers = "NumberType=\"Int\" Precision=\"4\"";
 constexpr const char* triangles = "TopologyType=\"Triangle\"";
 constexpr const char* bytes = "NumberType=\"UChar\" Precision=\"1\"";
 
-/// XDMF's type of the numbers of a dataset.
+/// Returns XDMF's type of the numbers in a dataset of `Value`.
 template <class Value>
 const char* number_type() {
     using Scalar = typename hdf5::Element<Value>::Scalar;
     return std::same_as<Scalar, double> ? reals : std::same_as<Scalar, std::uint8_t> ? bytes : integers;
 }
 
-/// A frame of a collection, written line by line.
+/// Writes a grid of XDMF, for example a frame of a collection, line by line.
 class Grid {
   public:
-    /// source: prefix of the names of its datasets, by path_in().
+    /// source: path_in() of the group of its datasets.
     Grid(std::ostream& out, const std::string& name, const std::string& source) : out(out), source(source) {
         add("<Grid Name=\"{}\">\n", name);
     }
@@ -76,7 +76,7 @@ class Grid {
     std::string source;
 };
 
-/// Adds the arrays of some elements that ParaView shows. count: number of the elements.
+/// Adds those arrays of a kind of element that ParaView shows. count: number of the elements.
 void add_shown(Grid& grid, Elements entries, std::size_t count) {
     const Snapshot types{};
     visit_arrays(types, [&]<class Array>(const SnapshotArray& array, const Array&) {
@@ -111,8 +111,8 @@ void add_edges(Grid grid, const XdmfFrame& frame) {
     grid.end();
 }
 
-/// XDMF's path of a group. Without the domain FILE the reader would look for one before the first colon of
-/// the file's name.
+/// Returns XDMF's path of a group in the file `source`. Without the domain FILE the reader would take what
+/// precedes the first colon of the file's name as domain.
 std::string path_in(const std::string& source, const std::string& group) {
     return fmt::format("FILE:{}:/{}", source, group);
 }
@@ -133,8 +133,8 @@ void add_collection(std::ostream& out, const char* name, const std::string& sour
     out << "</Grid>\n";
 }
 
-/// Writes the i-th obstacle: a single grid without time if its points are the same dataset in all frames,
-/// else a collection.
+/// Writes the i-th obstacle: as a single grid without time if its points are in one dataset for all frames,
+/// otherwise as a collection.
 void add_obstacle(std::ostream& out, const XdmfObstacle& obstacle, std::size_t i, const std::string& source,
                   std::span<const XdmfFrame> frames) {
     const auto add = [&](const std::string& name, const XdmfFrame& frame, bool at_its_time) {

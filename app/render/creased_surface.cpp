@@ -4,7 +4,7 @@
 namespace sherd {
 namespace {
 
-constexpr double smooth_cosine = 0.87;  // between a face and the mean of its neighbours: 30 degrees
+constexpr double smooth_cosine = 0.87;  // cosine of 30 degrees
 
 }  // namespace
 
@@ -24,7 +24,7 @@ CreasedSurface creased(const GridSurface& surface) {
         result.normals.push_back(normal.isZero(0) ? Eigen::Vector3d::UnitZ() : normal);
         return static_cast<std::int32_t>(result.points.size()) - 1;
     };
-    std::vector<std::int32_t> smooth(surface.points.size(), -1);  // corner that smooth faces share
+    std::vector<std::int32_t> smooth(surface.points.size(), -1);  // smooth corner of each point
     for (const auto& face : surface.triangles) {
         const Eigen::Vector3d flat = face_normal(surface, face).stableNormalized();
         auto& corners = result.triangles.emplace_back();

@@ -9,16 +9,16 @@
 namespace sherd {
 namespace {
 
-constexpr double kept_share = 0.95;  // smallest share of a sheet's area without outliers
-constexpr double nearness = 1.5;     // fragments within this multiple of the kept reach are no outliers
+constexpr double kept_share = 0.95;  // smallest share of a sheet's area that remains without outliers
+constexpr double nearness = 1.5;     // fragments up to this multiple of the reach of that share are kept, too
 
 struct Piece {
     Eigen::AlignedBox3d box;
     double area = 0;
-    double reach = 0;  ///< m, distance of its farthest corner from the middle of the sheet
+    double reach = 0;  ///< m, distance of the farthest corner of `box` from the middle of the sheet
 };
 
-/// Fragments of each sheet, by the sheet's number.
+/// Returns the fragments of each sheet, by the sheet's number.
 std::map<Index, std::vector<Piece>> pieces_of(const Snapshot& frame) {
     std::map<std::pair<Index, Index>, Piece> pieces;
     for (std::size_t f = 0; f < frame.faces.size(); ++f) {
@@ -39,13 +39,13 @@ double area_of(std::span<const Piece> pieces) {
     return area;
 }
 
-/// Median of the fragments' centres in each direction, weighted by area: few distant fragments do not change
-/// it.
+/// Returns the median of the fragments' centres in each direction, weighted by area, which few distant
+/// fragments do not change.
 Vector3d middle_of(std::span<const Piece> pieces) {
     const double half = area_of(pieces) / 2;
     Vector3d middle;
     for (int axis = 0; axis < 3; ++axis) {
-        std::vector<std::pair<double, double>> places;  // coordinates and areas
+        std::vector<std::pair<double, double>> places;  // coordinate and area of each fragment
         for (const Piece& piece : pieces) places.emplace_back(piece.box.center()[axis], piece.area);
         std::ranges::sort(places);
         double below = 0;
@@ -57,7 +57,7 @@ Vector3d middle_of(std::span<const Piece> pieces) {
     return middle;
 }
 
-/// Distance from the middle within which fragments are no outliers.
+/// Returns the distance (m) from the middle of a sheet within which its fragments are no outliers.
 double focus_radius(std::vector<Piece> pieces) {
     std::ranges::sort(pieces, {}, [](const Piece& piece) { return piece.reach; });
     const double enough = kept_share * area_of(pieces);

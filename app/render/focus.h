@@ -7,10 +7,10 @@
 
 namespace sherd {
 
-/// Returns the box (m) of a frame that a camera should show: around all fragments but the outliers of each
-/// sheet, small fragments that are farther from its middle than the rest. Outliers have at most a twentieth
-/// of their sheet's area, so that a sheet in one or in a few large fragments has none. Vertices that are not
-/// finite are left out; the box is empty if no vertex is finite.
+/// Returns the box (m) that a camera should show in a frame: around all fragments except outliers. Outliers
+/// are small fragments that are farther from the middle of their sheet than the sheet's other fragments. They
+/// have at most a twentieth of their sheet's area together, so that a sheet in one or in a few large
+/// fragments has none. Vertices that are not finite are left out; the box is empty if no vertex is finite.
 Eigen::AlignedBox3d focus_box(const Snapshot& frame);
 
 }  // namespace sherd

@@ -12,7 +12,8 @@
 namespace sherd {
 namespace {
 
-/// Returns the numbers at the start of a statement; other words, as of a spectral curve, end them.
+/// Returns the numbers at the beginning of the statement `keyword`. Another word, for example of a spectral
+/// curve, ends the numbers.
 std::vector<float> numbers(const SurfaceMaterial& material, const std::string& keyword) {
     std::istringstream words(statement(material, keyword));
     words.imbue(std::locale::classic());
@@ -26,7 +27,8 @@ std::optional<float> number(const SurfaceMaterial& material, const std::string& 
     return values.empty() ? std::nullopt : std::optional(values.front());
 }
 
-/// Returns the colour in a statement. A single number is a grey.
+/// Returns the colour in the statement `keyword`, or `otherwise` if the statement has no numbers. A single
+/// number is a grey.
 Eigen::Vector3f colour(const SurfaceMaterial& material, const std::string& keyword,
                        const Eigen::Vector3f& otherwise) {
     const std::vector<float> values = numbers(material, keyword);
@@ -44,7 +46,7 @@ MaterialLook material_look(const SurfaceMaterial& material) {
     look.glow = colour(material, "Ke", look.glow);
     if (const auto transparency = number(material, "Tr")) look.opacity = 1 - *transparency;
     look.opacity = std::clamp(number(material, "d").value_or(look.opacity), 0.0f, 1.0f);
-    // Blender's importer: an exponent of 0 is rough, of 900 smooth.
+    // As in Blender's importer: an exponent of 0 means rough, an exponent of 900 smooth.
     if (const auto exponent = number(material, "Ns"))
         look.roughness = 1 - std::sqrt(std::clamp(*exponent, 0.0f, 900.0f)) / 30;
     look.picture = statement(material, "map_Kd");

@@ -8,17 +8,18 @@
 
 namespace sherd {
 
-/// Properties of a material that a picture shows, from its definition in .mtl. Numbers in .mtl are taken for
-/// linear light, as Blender takes them.
+/// Properties of a material that a picture shows, from the material's definition in .mtl. Numbers in .mtl are
+/// taken as linear light, as Blender does.
 struct MaterialLook {
     Eigen::Vector3f colour = Eigen::Vector3f::Constant(0.8f);  ///< `Kd`: albedo, linear light
-    float opacity = 1;                                         ///< `d`, or 1 less `Tr`
-    float roughness = 0.6f;                                    ///< by `Ns`, as Blender takes it
-    Eigen::Vector3f glow = Eigen::Vector3f::Zero();            ///< `Ke`
-    std::filesystem::path picture;  ///< `map_Kd`, instead of the colour; empty: none
+    float opacity = 1;                                         ///< `d`, or 1 - `Tr`
+    float roughness = 0.6f;                                    ///< from `Ns`, as in Blender
+    Eigen::Vector3f glow = Eigen::Vector3f::Zero();            ///< `Ke`: emitted light
+    std::filesystem::path picture;                             ///< `map_Kd`: replaces the colour; empty: none
 };
 
-/// Reads the definition of a material; values that it lacks, or that are no numbers, keep their defaults.
+/// Reads the definition of a material. Values that the definition lacks, or that are no numbers, keep their
+/// defaults.
 MaterialLook material_look(const SurfaceMaterial& material);
 
 }  // namespace sherd

@@ -8,19 +8,19 @@
 
 namespace sherd {
 
-/// sRGB, 0xRRGGBB.
+/// Colour of obstacles, 0xRRGGBB (sRGB).
 inline constexpr std::uint32_t obstacle_grey = 0x8c8f93;
 
-/// Mesh of an obstacle: grey, with sharp edges where its triangles meet at more than some 30 degrees. pose:
-/// from its own frame to space; origin: m, subtracted from all positions.
+/// Returns the mesh of an obstacle: grey, with sharp edges where creased() splits its surface. pose: from the
+/// obstacle's own frame of reference to space; origin: m, is subtracted from all positions.
 RenderMesh obstacle_solid(const GridSurface& surface, const Eigen::Isometry3d& pose,
                           const Eigen::Vector3d& origin);
 
-/// The plane in which a surface lies. pose, origin: as above.
+/// Returns the plane in which a flat surface lies. pose, origin: as for obstacle_solid().
 RenderPlane plane_of(const GridSurface& surface, const Eigen::Isometry3d& pose,
                      const Eigen::Vector3d& origin);
 
-/// Box around the points of a surface in space, m.
+/// Returns the box (m) in space around the points of a surface. pose: as for obstacle_solid().
 Eigen::AlignedBox3d box_of(const GridSurface& surface, const Eigen::Isometry3d& pose);
 
 }  // namespace sherd

@@ -26,7 +26,8 @@ double corner_angle(const Positions& position, const std::array<Index, 3>& face,
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// Unit normals at the vertices [3, V], weighted by the faces' angles.
+/// Returns unit normals at the vertices, [3, V]: means of the normals of the faces around a vertex, weighted
+/// by the faces' angles there.
 Positions vertex_normals(const Positions& position, std::span<const std::array<Index, 3>> faces) {
     Positions normals = Positions::Zero(3, position.cols());
     for (const auto& face : faces) {
@@ -37,10 +38,10 @@ Positions vertex_normals(const Positions& position, std::span<const std::array<I
     return normals;
 }
 
-/// Distance by which the vertices move outward [V], m: larger at folds, so that the faces lie half the
-/// thickness outside.
+/// Returns the distance, m, by which each vertex moves to both sides along its normal, [V]. The distance is
+/// larger at folds, so that each moved face is half the thickness away from its original place.
 VectorXd vertex_offsets(const Positions& normals, const Snapshot& frame, std::span<const double> thickness) {
-    constexpr double least_cosine = 0.5;  // no spikes on sharp folds
+    constexpr double least_cosine = 0.5;  // avoids spikes on sharp folds
     VectorXd cosine = VectorXd::Ones(normals.cols()), offset = VectorXd::Zero(normals.cols());
     std::vector<int> met(normals.cols(), 0);
     for (std::size_t f = 0; f < frame.faces.size(); ++f) {
@@ -75,7 +76,7 @@ class SolidBuilder {
     }
 
   private:
-    /// side: 1 above, -1 below.
+    /// side: 1 for the side of the normals, -1 for the opposite side.
     RenderVertex vertex(Index v, double side) const;
     RenderVertex corner(std::size_t f, int k, double side) const;
     void add_sides();
@@ -113,13 +114,13 @@ RenderVertex SolidBuilder::corner(std::size_t f, int k, double side) const {
     return corner;
 }
 
-/// Adds a triangle; broken sides show no picture.
+/// Adds a triangle of the face f. A broken wall shows no picture.
 void SolidBuilder::add_triangle(const std::array<std::uint32_t, 3>& corners, std::size_t f, bool broken) {
     mesh.triangles.push_back(corners);
     if (!paint.picture.empty()) mesh.picture.push_back(broken ? -1 : paint.picture[f]);
 }
 
-/// Adds both sides with corners of their own for each face, since the numbers of stripes, and colours, may
+/// Adds both sides of the sheets. Each face has vertices of its own, since stripe numbers and colours may
 /// jump between faces.
 void SolidBuilder::add_sides_by_face() {
     for (std::size_t f = 0; f < frame.faces.size(); ++f)
@@ -143,7 +144,8 @@ void SolidBuilder::add_sides() {
     }
 }
 
-/// Unit vector in the surface, away from the face to the left of the edge.
+/// Returns a unit vector in the surface, at right angles to the edge from a to b, that points away from the
+/// face to the left of the edge.
 Vector3d SolidBuilder::outward(Index a, Index b) const {
     return (frame.position.col(b) - frame.position.col(a))
         .cross(normals.col(a) + normals.col(b))
@@ -156,7 +158,7 @@ void SolidBuilder::add_walls() {
             for (int k = 0; k < 3; ++k)
                 if (open[f][k]) visit(f, k, frame.faces[f][k], frame.faces[f][(k + 1) % 3], !rim[f][k]);
     };
-    // Walls on the rim of the unfractured mesh are smooth, broken ones are not.
+    // Walls on the rim of the unfractured mesh are shaded smoothly, broken walls are not.
     Positions smooth = Positions::Zero(3, frame.position.cols());
     each([&](std::size_t, int, Index a, Index b, bool broken) {
         if (broken) return;

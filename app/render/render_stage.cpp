@@ -18,16 +18,17 @@
 namespace sherd {
 namespace {
 
-constexpr double largest_share =
-    0.99;  // quantile of the brightest colour: a single splinter must not darken the rest
+// Quantile that has the brightest colour, so that a single splinter does not darken the rest.
+constexpr double largest_share = 0.99;
 
 constexpr double largest_widening = 2;  // factor by which an obstacle may widen the picture
 
-// Radius of a tip's ball over radius(), and over the thickness of the sheet, from which it must protrude.
+// Radius of a tip's ball: over RenderStage::radius(), and, if that gives more, over the thickness of the
+// sheet, from which the ball must protrude.
 constexpr double tip_size = 0.022, tip_thickness = 1.1;
-// Length of a tip's cone over its ball's radius, at rest and at the largest speed.
+// Length of a tip's cone over the radius of the tip's ball, for a tip at rest and for the fastest tip.
 constexpr double tip_reach = 2, fastest_reach = 5;
-constexpr double brightest_tip = 2;  // G / G_c: a tip propagates above 1, in the middle of the map
+constexpr double brightest_tip = 2;  // G / G_c of the brightest colour; a tip propagates above 1
 
 double released_over_toughness(const TipRecord& tip) {
     return tip.released / tip.toughness;
@@ -150,7 +151,7 @@ void RenderStage::measure_obstacles(const Recording& recording) {
                 around[k].extend(box_of(reshaped(obstacles[k].surface, shapes[k]), poses[k]));
     }
     for (const Eigen::AlignedBox3d& obstacle : around) {
-        // An obstacle that would make the sheets small is cut off by the picture instead.
+        // An obstacle that would make the sheets small need not fit into the picture, which cuts it off.
         const double widened = focus.merged(obstacle).diagonal().norm();
         if (obstacle.isEmpty() || !(widened <= largest_widening * focus.diagonal().norm())) continue;
         boxes.push_back(obstacle);

@@ -20,35 +20,40 @@ namespace sherd {
 
 struct StageOptions {
     RenderColour colour = RenderColour::fragment;
-    std::optional<std::pair<double, double>> range;  ///< range of the colours; none: the recording's
+    std::optional<std::pair<double, double>> range;  ///< darkest and brightest value; none: the recording's
     CameraChoice camera;
-    bool ground = true;  ///< whether the scene's planes are drawn, or, without any, one below everything
-    double aspect = 16.0 / 9;
+    bool ground = true;  ///< whether planes are drawn: the scene's, or one below everything if it has none
+    double aspect = 16.0 / 9;  ///< width over height of the pictures
 };
 
-/// Properties that all pictures of a recording share: camera, ground and the range of the colours, which all
+/// Properties that all pictures of a recording share: camera, ground, and range of the colours. All of them
 /// follow from the whole recording, so that pictures of single frames fit together.
 class RenderStage {
   public:
-    /// Reads every frame. Throws Error (input) on a recording without frames or finite positions, and if it
-    /// is to show axes that the scene lacks, or crack tips that the recording lacks.
+    /// Reads every frame. Throws Error (input) if the recording has no frames or no finite positions, if
+    /// material axes are to be shown and the scene lacks them, or if crack tips are to be shown and the
+    /// recording lacks them.
     RenderStage(const Recording& recording, const StageOptions& options, std::vector<std::string>& warnings);
 
-    /// poses, shapes: of the recording's obstacles in that frame.
+    /// Returns the content of the picture of a frame. poses, shapes: poses and shapes of the recording's
+    /// obstacles in this frame.
     RenderScene scene(const Snapshot& frame, std::span<const Eigen::Isometry3d> poses,
                       const ObstacleShapes& shapes) const;
-    Vector3d centre() const { return focus.center(); }  ///< m, of the region in focus; origin of positions
+    /// Centre of the region in focus, m, which is the origin of all positions in scene().
+    Vector3d centre() const { return focus.center(); }
     const Camera& camera() const { return placed; }
-    /// Planes, in poses of the recording's obstacles; one below everything if the scene has none.
+    /// Returns the planes to be drawn, with the recording's obstacles in these poses; one plane below
+    /// everything if the scene has none.
     std::vector<RenderPlane> ground(std::span<const Eigen::Isometry3d> poses) const;
     const Vector3d& upward() const { return up; }
-    const Eigen::AlignedBox3d& everything() const { return box; }  ///< m, of the sheets, outliers included
-    double radius() const;                                         ///< m, of the region in focus
+    const Eigen::AlignedBox3d& everything() const { return box; }  ///< m, around the sheets in all frames
+    double radius() const;                                         ///< m, half the diagonal of the region in
+                                                                   ///< focus
     RenderColour colour() const { return options.colour; }
     double largest() const { return range.second; }  ///< value of the brightest colour
-    /// Text on the colours; "" without one.
+    /// Returns a text that explains the colours; "" if they need no text.
     std::string legend() const;
-    /// Colour bar, if the colours show a scalar.
+    /// Returns the colour bar; none unless the colours show a scalar.
     std::optional<ColourBar> colour_bar() const;
     const std::string& time_unit() const { return header.time_unit; }
     std::string caption(const Snapshot& frame) const;  ///< time and step, or the mode of vibration
@@ -61,7 +66,7 @@ class RenderStage {
     void measure_tips(const Recording& recording);
     void measure_obstacles(const Recording& recording);
     void add_ground();
-    bool has_planes() const;  ///< whether the recording has the scene's planes, if there are any
+    bool has_planes() const;  ///< whether there are planes among the recorded obstacles
     SheetPaint paint(const Snapshot& frame) const;
     std::uint32_t scalar_colour(double value) const;  ///< 0xRRGGBB
     RenderMesh tips_of(const Snapshot& frame) const;
@@ -71,24 +76,24 @@ class RenderStage {
     RecordingHeader header;
     std::vector<RecordedObstacle> obstacles;
     std::vector<std::string> modes;           ///< text on each mode, if the frames show modes of vibration
-    std::optional<Scene> scene_spec;          ///< none: cannot be read any more
-    std::optional<double> guessed_thickness;  ///< m; none: the recording has it
-    std::vector<Eigen::AlignedBox3d> boxes;   ///< m, in the picture: each frame's focus_box(), and obstacles
-    Eigen::AlignedBox3d focus;                ///< m, around focus_box() of all frames
-    Eigen::AlignedBox3d box;                  ///< m, of the sheets in all frames
+    std::optional<Scene> scene_spec;          ///< none: the recorded text cannot be read
+    std::optional<double> guessed_thickness;  ///< m; none if the thickness is recorded
+    std::vector<Eigen::AlignedBox3d> boxes;   ///< m, boxes to be shown: frames' focus_box(), obstacles
+    Eigen::AlignedBox3d focus;                ///< m, around the focus_box() of all frames
+    Eigen::AlignedBox3d box;                  ///< m, around the sheets in all frames
     Vector3d up = Vector3d::UnitZ();
     double lowest = 0;                                    ///< m, lowest coordinate along `up`
     double end = 0;                                       ///< s, time of the last frame
-    std::pair<double, double> range{0, 0}, extent{0, 0};  ///< ranges of the colours, and of the values
+    std::pair<double, double> range{0, 0}, extent{0, 0};  ///< range of the colours, range of the values
     std::string scalar_name, scalar_unit;
     std::optional<TipHistory> tips;       ///< crack tips, if they are drawn
     std::optional<SurfacePaint> surface;  ///< paint of the sheets' files, if it is drawn
-    Eigen::Matrix3Xd stripes;             ///< [3, F0] of material axes, at corners of the unfractured mesh
+    Eigen::Matrix3Xd stripes;             ///< [3, F0] axis_stripes() of the material axes
     std::vector<RenderPlane> planes;      ///< planes that are no recorded obstacles
     Camera placed;
 };
 
-/// Parses the scene of a recording, from the text in it. Throws Error like read_scene.
+/// Parses the scene of a recording from the text in its header. Throws Error like read_scene.
 Scene recorded_scene(const RecordingHeader& header);
 
 }  // namespace sherd

@@ -22,8 +22,9 @@
 namespace sherd {
 namespace {
 
-/// Whether the faces of `mesh` are those of the recording from face `first` on, at the same positions or all
-/// moved by the same vector: a run separates sheets that start too near, which changes no axis.
+/// Whether the faces of `mesh` are the faces of the recording from face `first` on, in the same positions or
+/// all moved by the same vector. A run moves sheets that start too close to each other, which changes no
+/// axis.
 bool is_recorded(const Mesh& mesh, const RecordingHeader& header, std::size_t first) {
     if (first + mesh.number_of_faces() > header.rest_faces.size()) return false;
     std::optional<Vector3d> way;
@@ -40,8 +41,9 @@ bool is_recorded(const Mesh& mesh, const RecordingHeader& header, std::size_t fi
     return true;
 }
 
-/// Sign at each corner, +1 or -1: whether the face's axis points as the axis of the vertex does, which is
-/// that of the first face around it. Axes have no sign, so a direction is chosen for each vertex.
+/// Returns a sign for each corner of each face: +1 if the axis of the face points in the same direction as
+/// the axis of the vertex, -1 if it points in the opposite direction. The axis of a vertex is that of the
+/// first face around it: since axes have no sign, a direction must be chosen for each vertex.
 std::vector<std::array<int, 3>> corner_signs(const RecordingHeader& header, std::span<const Vector3d> axes) {
     std::vector<int> first(header.rest_position.cols(), -1);
     std::vector<std::array<int, 3>> signs(axes.size());
@@ -54,22 +56,23 @@ std::vector<std::array<int, 3>> corner_signs(const RecordingHeader& header, std:
     return signs;
 }
 
-/// Edge from its lower to its higher vertex, with the sign of the lower one.
+/// An edge, directed from its vertex with the lower number to its vertex with the higher number. Signs are
+/// relative to the axis of the lower vertex.
 struct StripeEdge {
-    double growth = 0;  ///< rad, of the phase; first the sum over its faces
-    int faces = 0;
+    double growth = 0;  ///< rad, growth of the phase along the edge: sum, then mean over its faces
+    int faces = 0;      ///< number of its faces
     double weight = 0;  ///< sum of the cotangents of the opposite angles
-    int turned = 1;     ///< -1: the axis of the higher vertex points the other way
+    int turned = 1;     ///< -1: the axis of the higher vertex points in the opposite direction
 };
 using StripeEdges = std::map<std::pair<Index, Index>, StripeEdge>;
 
-/// Stripes on the unfractured mesh.
+/// The unfractured mesh, with the data of which stripes are made.
 struct StripeMesh {
     const RecordingHeader& header;
     std::vector<std::array<int, 3>> signs;
     StripeEdges edges;
 
-    /// Corners i and j of a face, with the lower vertex first, and their edge.
+    /// Two corners of a face, the corner with the lower vertex first, and the edge between them.
     struct Side {
         int low, high;
         StripeEdge& edge;
@@ -82,7 +85,7 @@ struct StripeMesh {
 };
 
 StripeMesh stripe_mesh(const RecordingHeader& header, std::span<const Vector3d> axes, double spacing) {
-    constexpr double least_weight = 0.05;  // lower bound for obtuse triangles, so that a minimum exists
+    constexpr double least_weight = 0.05;  // lower bound of a cotangent, so that a minimum exists
     StripeMesh mesh{header, corner_signs(header, axes), {}};
     for (std::size_t f = 0; f < axes.size(); ++f) {
         const auto& face = header.rest_faces[f];
@@ -104,8 +107,9 @@ StripeMesh stripe_mesh(const RecordingHeader& header, std::span<const Vector3d> 
     return mesh;
 }
 
-/// Matrix of the energy of complex numbers at the vertices, [2 V0]: the sum over the edges of weight times
-/// |z_high - exp(i growth) z_low|^2, with the conjugate of z_high where the axis is turned.
+/// Returns the matrix, [2 V0, 2 V0], of an energy of complex numbers z at the vertices: the sum over the
+/// edges of weight times |z_high - exp(i growth) z_low|^2. Where `turned` is -1, the conjugate of z_high
+/// takes the place of z_high.
 Eigen::SparseMatrix<double> stripe_energy(const StripeMesh& mesh) {
     constexpr double shift = 1e-8;  // keeps the matrix invertible where the energy can be zero
     std::vector<Eigen::Triplet<double>> entries;
@@ -130,7 +134,8 @@ Eigen::SparseMatrix<double> stripe_energy(const StripeMesh& mesh) {
     return energy;
 }
 
-/// Phases at the vertices, rad [V0]: of the energy's smallest eigenvector, by inverse iteration.
+/// Returns phases at the vertices, [V0] rad: the phases of the eigenvector that belongs to the energy's
+/// smallest eigenvalue, by inverse iteration.
 VectorXd smooth_phases(const StripeMesh& mesh) {
     constexpr int iterations = 40;  // more than enough unless two numbers of stripes fit equally well
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(stripe_energy(mesh));

@@ -12,9 +12,10 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr int meridians = 24, parallels = 12;
-constexpr double cone_width = 0.75;  // over the ball's radius
+constexpr double cone_width = 0.75;  // radius of the cone's base over the radius of the ball
 
-/// Point and normal of the profile of a body of revolution: along its axis and away from it.
+/// Point and normal of the profile of a body of revolution. Components: along the axis of the body, away from
+/// the axis.
 struct ProfilePoint {
     Vector2d place, normal;
 };

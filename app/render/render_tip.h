@@ -13,7 +13,7 @@ struct TipMark {
     Eigen::Vector3f colour;  ///< albedo
 };
 
-/// Returns all marks as one mesh; origin: m, subtracted from all positions.
+/// Returns all marks as one mesh. origin: m, is subtracted from all positions.
 RenderMesh tip_marks(const std::vector<TipMark>& marks, const Eigen::Vector3d& origin);
 
 }  // namespace sherd

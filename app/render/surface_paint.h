@@ -17,24 +17,24 @@ inline constexpr std::uint32_t porcelain = 0xd8d2c6;
 /// Throws Error (input) if a recording's look has neither materials nor colours.
 void require_paint(const SurfaceLook& look);
 
-/// Warning that a material is drawn in its colour instead of its picture.
+/// Returns the warning that a material is drawn in its colour, because its picture cannot be read.
 std::string unread_picture(const SurfaceMaterial& material, const std::exception& error);
 
 /// Paint of sheets from the files of their meshes: materials, their pictures, and colours.
 class SurfacePaint {
   public:
-    /// Reads the pictures of the materials; `warnings` gets a sentence for each that cannot be read. Throws
-    /// Error as require_paint() does.
+    /// Reads the pictures of the materials; `warnings` gets a sentence for each picture that cannot be read.
+    /// Throws Error as require_paint() does.
     SurfacePaint(const SurfaceLook& look, std::vector<std::string>& warnings);
 
-    /// plain: albedo where the files define none.
+    /// Returns the paint of a frame's sheets. plain: albedo where the files define none.
     SheetPaint paint(const Snapshot& frame, const Eigen::Vector3f& plain) const;
 
   private:
     struct Known {
         SurfaceMaterial material;
         Eigen::Vector3f colour;
-        std::int32_t picture;  ///< index of its picture; -1: none
+        std::int32_t picture;  ///< index in `pictures`; -1: none
     };
     void add(const SurfaceMaterial& material, std::vector<std::string>& warnings);
     std::vector<const Known*> known_of(const std::vector<SurfaceMaterial>& materials) const;

@@ -17,11 +17,12 @@
 namespace sherd {
 namespace {
 
-/// Settings that a resumed run may change: it may be longer, and keep checkpoints more often.
+/// Settings that a resumed run may change: its duration, and the time between checkpoints.
 constexpr const char* free_keys[] = {"duration", "output.checkpoint"};
 
-/// Checksum of the initial state, with all data that textures, grids and lists may vary over a sheet. Structs
-/// are left out, since their padding may have any bytes: they follow from these data and the settings.
+/// Returns the checksum of the initial state, including all data that textures, grids and lists of edges can
+/// make vary over a sheet. Arrays of structs are left out, since the bytes between the members of a struct
+/// are arbitrary; the structs follow from these data and the settings.
 std::uint64_t checksum_of_start(const Runner& runner) {
     Shell shell = runner.simulation().shell().mechanics();
     const std::span<const Vector3d> axes = runner.simulation().shell().axes();
@@ -58,7 +59,7 @@ std::string setting_words(const std::string& key, const std::string* before, con
 
 constexpr std::string_view magic = "sherd checkpoint 4\n";
 
-/// End of a file: size (bytes) and checksum of the data between `magic` and it.
+/// End of a checkpoint file: size (bytes) and checksum of the data between `magic` and the seal.
 struct Seal {
     std::uint64_t size = 0, sum = 0;
 };
@@ -156,11 +157,12 @@ void remove_checkpoints(const std::filesystem::path& recording) {
     for (const std::filesystem::path& file : checkpoint_files(recording)) {
         std::filesystem::remove(file, ignored);
         std::filesystem::remove(file.string() + ".part", ignored);
-        // A lock file of a program that was killed while writing: taking the lock removes it.
+        // A program that was killed while writing has left a lock file; taking and releasing the lock removes
+        // it.
         if (std::filesystem::exists(file.string() + ".lock", ignored)) try {
                 const OutputLock left(file);
             } catch (const Error&) {
-                continue;  // another program writes it
+                continue;  // another program is writing this file
             }
     }
 }

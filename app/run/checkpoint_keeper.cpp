@@ -31,7 +31,7 @@ void CheckpointKeeper::ended(const RunEnd& how) {
     if (!how.is_complete()) return;
     const std::filesystem::path& recording = parts.recorder.lock().output();
     if (number > 1)
-        remove_checkpoint(recording, number + 1);  // the older of the two
+        remove_checkpoint(recording, number + 1);  // has the same file as number - 1, the older of the two
     else
         remove_checkpoints(recording);
 }

@@ -22,7 +22,7 @@ void extend(Eigen::AlignedBox3d& box, const ColliderSurface& surface, const Eige
     for (const auto& point : surface.points.colwise()) box.extend(pose * Vector3d(point));
 }
 
-/// Box around sheets, bodies and all obstacles but planes.
+/// Returns the box around sheets, free bodies and all obstacles but planes.
 Eigen::AlignedBox3d box_of(const Simulation& simulation) {
     const Positions& sheets = simulation.shell().mechanics().position;
     Eigen::AlignedBox3d box(sheets.rowwise().minCoeff(), sheets.rowwise().maxCoeff());
@@ -35,7 +35,8 @@ Eigen::AlignedBox3d box_of(const Simulation& simulation) {
     return box;
 }
 
-/// Square of a plane around the point nearest to the box's centre, in the plane's own frame.
+/// Returns a square in a plane, in the plane's own frame, around the point of the plane nearest to the box's
+/// centre. Half the square's side is the box's diagonal. pose: from the plane's own frame to space.
 GridSurface square(const PlaneShape& plane, const Eigen::Isometry3d& pose, const Eigen::AlignedBox3d& box) {
     const Vector3d way = pose.inverse() * box.center() - plane.point;
     const Vector3d middle = plane.point + (way - plane.normal.dot(way) * plane.normal);

@@ -7,7 +7,8 @@
 
 namespace sherd {
 
-/// Returns the header of the recording of a simulation before its first step.
+/// Returns the header for the recording of a run. The simulation must be that of the scene, and must not have
+/// made a step yet.
 RecordingHeader recording_header(const Scene& scene, const Simulation& simulation);
 
 }  // namespace sherd

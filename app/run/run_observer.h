@@ -10,26 +10,27 @@ namespace sherd {
 /// How a run ended.
 struct RunEnd {
     std::string how;          ///< "complete", "interrupted" or "failed: ..."
-    double wall_seconds = 0;  ///< s, from its first step on
+    double wall_seconds = 0;  ///< s, wall time of Runner::run(), with the runs that it resumed
 
     bool is_complete() const { return how == "complete"; }
     bool has_failed() const { return how.starts_with("failed"); }
 };
 
-/// Observer of a run, such as its progress, its recorder and its interruption. An exception of an observer
-/// ends the run.
+/// Observer of a run, such as its progress display, its recorder, or the object that ends it on Ctrl-C. An
+/// exception of an observer ends the run.
 class RunObserver {
   public:
     virtual ~RunObserver() = default;
-    /// Called after a step, with the cracks in it.
+    /// Called after a step, with its report and its crack events.
     virtual void stepped(const StepReport&, const CrackEvents&) {}
-    /// Called when a frame is due: at the start of a run, when the scene asks for one, and when a run ends
-    /// early.
+    /// Called when a frame is due: at the start of a run, at the intervals that the scene asks for, and at
+    /// the end of a run, even if that is early.
     virtual void frame_due(const Simulation&) {}
-    /// Called between two steps, after all observers' stepped(), and before the frame that may be due then.
-    /// at_end: no step follows.
+    /// Called before the first step, and whenever a multiple of the scene's step or the end of the run is
+    /// reached: after all observers' stepped(), and before the frame that may be due then. at_end: whether no
+    /// step follows.
     virtual void paused(bool /*at_end*/) {}
-    /// Whether the run is to end after the last step.
+    /// Returns whether the run must end now, before another step.
     virtual bool should_end() const { return false; }
     /// Called when the run has ended; no other call follows.
     virtual void ended(const RunEnd&) {}

@@ -13,8 +13,9 @@ namespace sherd {
 /// Writes a run into a recording.
 class RunRecorder : public RunObserver {
   public:
-    /// Creates the recording of a scene and of its simulation before the first step. With `resumes`, uses the
-    /// existing recording (see RecordingWriter). Throws Error (input) if it cannot be created.
+    /// Creates the recording of a scene's run. The simulation must be that of the scene, before its first
+    /// step. With `resumes`, opens the existing recording instead, whose state must be restored afterwards
+    /// (see RecordingWriter). Throws Error (input) if the recording cannot be created.
     RunRecorder(RecordingOutput output, const Scene& scene, const Simulation& simulation,
                 bool resumes = false);
 

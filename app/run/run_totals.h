@@ -10,10 +10,11 @@
 
 namespace sherd {
 
-/// Last, largest and limit load factor of a run's steps.
+/// Load factors of a run's steps: the last, the largest, and the limit load.
 struct LoadHistory {
     double last = 0, largest = 0;
-    std::optional<double> limit = {};  ///< load factor before its first decrease; none: it never decreased
+    std::optional<double> limit = {};  ///< load factor before its first decrease; none: it has never
+                                       ///< decreased
 
     void add(double load) {
         if (!limit && load < last) limit = last;
@@ -22,7 +23,7 @@ struct LoadHistory {
     }
 };
 
-/// Adds up what a run does in its steps.
+/// Totals and extreme values over the steps of a run.
 class RunTotals : public RunObserver {
   public:
     void stepped(const StepReport& report, const CrackEvents& events) override;
@@ -37,13 +38,13 @@ class RunTotals : public RunObserver {
     std::size_t cracks = 0, capped = 0;
     std::int64_t newton_iterations = 0, halvings = 0;
     double smallest_step = std::numeric_limits<double>::infinity();  ///< s
-    double explicit_time = 0;                                        ///< s, in explicit steps
+    double explicit_time = 0;                                        ///< s, simulated time of explicit steps
     std::array<std::int64_t, urgency_count> urgencies{};             ///< number of steps with each urgency
     LoadHistory load;
     StepReport peaks;
-    /// Time at which a material first exceeded its yield stress, s.
+    /// Time, s, at which a material first exceeded its yield stress; infinite if none did.
     double yielded_at = std::numeric_limits<double>::infinity();
-    double largest_energy = 0;  ///< J, kinetic, elastic and contact energy
+    double largest_energy = 0;  ///< J, largest sum of kinetic, elastic and contact energy
     StepReport last;
 };
 

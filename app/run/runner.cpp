@@ -9,7 +9,7 @@
 namespace sherd {
 namespace {
 
-constexpr double rounding = 1e-6;  // tolerance, as a share of a step
+constexpr double rounding = 1e-6;  // tolerance of times, as a share of a step
 
 }  // namespace
 

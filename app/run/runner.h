@@ -16,38 +16,40 @@ namespace sherd {
 /// Runs a scene, and notifies observers.
 class Runner {
   public:
-    /// built: sheets and options built from the scene.
+    /// built: sheets and options that were built from the scene.
     Runner(Scene scene, BuiltScene built);
 
     /// Adds an observer, which must outlive this object. Observers are notified in the order in which they
     /// were added.
     void add(RunObserver& observer) { observers.push_back(observer); }
 
-    /// Steps from the simulation's time to the end of the scene's duration, or until an observer asks for the
-    /// end. Rethrows exceptions of a step or an observer, after notifying the observers that the run has
-    /// failed.
+    /// Steps from the simulation's time to the end of the scene, or until an observer asks for the end.
+    /// Returns how the run ended. Rethrows exceptions of a step or an observer, after notifying the observers
+    /// that the run has failed.
     RunEnd run();
 
-    /// Makes a single step, and notifies the observers. The step is shorter than the scene's if it had to be
-    /// halved. Throws Error (run) if it cannot be solved.
+    /// Makes a single step, and notifies the observers by stepped(). The step is shorter than the scene's
+    /// step if it had to be halved. Returns its report. Throws Error (run) if it cannot be solved.
     StepReport step();
-    /// Makes a single step as part of run(), with the frame that may be due at its end.
+    /// Makes a single step as part of run(), and notifies the observers also by paused() and frame_due() if
+    /// these are due at its end.
     StepReport advance();
 
-    /// Whether no step follows: the scene's end has been reached, or an observer asks for the end.
+    /// Whether no step follows: the end of the scene has been reached, or an observer asks for the end.
     bool has_ended() const;
-    /// Whether the scene's end has been reached.
+    /// Whether the end of the scene has been reached: its last step, or in statics Simulation::arrived().
     bool is_complete() const;
-    /// End of the scene's last step, in its unit of time: later than its duration if that is not a number of
-    /// steps, or by rounding.
+    /// End of the scene's last step, in Scene::time_unit(): later than the duration if the duration is not a
+    /// whole number of steps. Round-off may make the two differ, too.
     double end_time() const;
-    double wall_seconds() const;  ///< s, of run(), including the runs that this one resumes
+    double wall_seconds() const;  ///< s, wall time of run(), and of the runs that it resumes
 
     const Scene& scene() const { return definition; }
     const Simulation& simulation() const { return stepped; }
-    Simulation& simulation() { return stepped; }  ///< may be changed between two steps
+    Simulation& simulation() { return stepped; }  ///< the simulation may be changed between two steps
 
-    /// Visits the simulation and the wall time. When they have been restored, run() resumes from there.
+    /// Visits the simulation and the wall time. After they have been restored, run() continues from the
+    /// restored time.
     void visit_state(StateVisitor& visit);
 
   private:
@@ -55,7 +57,7 @@ class Runner {
 
     void step_to_the_end();
     bool is_over() const;
-    std::int64_t done() const;  ///< number of the scene's steps that have been made
+    std::int64_t done() const;  ///< number of whole steps of the scene that have been made
     /// Whether a frame is due at the simulation's time.
     bool has_frame_now() const;
     void pause();
@@ -66,8 +68,8 @@ class Runner {
     Simulation stepped;
     std::vector<std::reference_wrapper<RunObserver>> observers;
     bool resumed = false;
-    double seconds_before = 0;                      ///< s, wall time of the runs before
-    std::optional<Clock::time_point> started = {};  ///< none: before run()
+    double seconds_before = 0;                      ///< s, wall time of the runs that this one resumes
+    std::optional<Clock::time_point> started = {};  ///< start of run(); none: run() has not been called
 };
 
 }  // namespace sherd

@@ -10,10 +10,12 @@
 
 namespace sherd {
 
-/// CRC-32 of a text. sum: that of the preceding text.
+/// Returns the CRC-32 of a text that continues a preceding text. sum: CRC-32 of the preceding text; 0: there
+/// is none.
 std::uint32_t state_sum(std::span<const char> text, std::uint32_t sum = 0);
 
-/// Writes state into a stream, the name of each class before its data, and computes their checksum.
+/// Writes state into a stream, with the name of each class before its data, and computes a checksum of all
+/// that it writes.
 class StateWriter : public StateVisitor {
   public:
     /// The stream must outlive this object.
@@ -22,8 +24,8 @@ class StateWriter : public StateVisitor {
     void bytes(void* data, std::size_t size) override;
     void enter(const char* type) override;
 
-    std::uint64_t size() const { return written; }  ///< bytes
-    std::uint32_t sum() const { return summed; }    ///< state_sum()
+    std::uint64_t size() const { return written; }  ///< number of bytes written
+    std::uint32_t sum() const { return summed; }    ///< state_sum() of the bytes written
 
   private:
     std::ostream& out;
@@ -31,8 +33,8 @@ class StateWriter : public StateVisitor {
     std::uint32_t summed = 0;
 };
 
-/// Restores state that a StateWriter of the same program wrote. Throws Error (run) if it is of other classes,
-/// or too short.
+/// Restores state that a StateWriter of the same program wrote. Throws Error (run) if the state is of other
+/// classes, or if it is too short.
 class StateReader : public StateVisitor {
   public:
     /// The text must outlive this object.

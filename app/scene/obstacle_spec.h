@@ -15,47 +15,49 @@ namespace sherd {
 struct ObstacleCache {
     std::filesystem::path path;             ///< relative to the working directory
     double start = 0;                       ///< s, time of the first sample
-    std::optional<double> frame_rate = {};  ///< 1/s; none: as the file says, or 24
-    bool smooth = true;                     ///< see Deformation
+    std::optional<double> frame_rate = {};  ///< frames of a .pc2 file, or samples of an .mdd file, per
+                                            ///< second; none: 24, or the times in the file
+    bool smooth = true;                     ///< see Deformation::smooth
     std::string where = {};                 ///< "FILE:LINE: dotted.key", for errors
 };
 
-/// `mesh = "anvil.obj"` of an obstacle: a closed mesh, from which a grid of distances is made, or with a
-/// cache any mesh, which deforms.
+/// `mesh = "anvil.obj"` of an obstacle: a closed mesh, from which a grid of signed distances is made; or any
+/// mesh with a cache, by which it deforms.
 struct ObstacleMesh {
     MeshFile file;
-    double voxel = 0;  ///< m; 0: from the mesh's size
+    double voxel = 0;  ///< m, size of the grid's voxels; 0: computed from the mesh's size
     std::optional<ObstacleCache> cache = {};
 };
 
 /// `vdb = "anvil.vdb"`: a level set.
 struct ObstacleLevelSet {
     std::filesystem::path path;  ///< relative to the working directory
-    std::string name;            ///< name of the grid; empty: the only one
+    std::string name;            ///< name of the grid; empty: the file's only one
     double scale = 1;            ///< metres per unit of the file
 };
 
 /// Further data of an obstacle that moves freely.
 struct FreeMotion {
-    double density = 0;                    ///< kg/m^3; 0: from the mass
-    double mass = 0;                       ///< kg, of a mesh without density
-    Vector3d velocity = Vector3d::Zero();  ///< m/s, at the start
-    Vector3d spin = Vector3d::Zero();      ///< rad/s, at the start, about its centre
+    double density = 0;                    ///< kg/m^3; 0: computed from the mass
+    double mass = 0;                       ///< kg, used for a mesh without a density
+    Vector3d velocity = Vector3d::Zero();  ///< m/s, initial velocity
+    Vector3d spin = Vector3d::Zero();      ///< rad/s, initial angular velocity, about the centre of mass
 };
 
-/// `[obstacle.NAME]`.
+/// An obstacle of a scene: `[obstacle.NAME]`.
 struct ObstacleSpec {
     std::string name;
     /// Shape before it is placed.
     std::variant<PlaneShape, SphereShape, BoxShape, CylinderShape, ObstacleMesh, ObstacleLevelSet> shape;
     Motion motion;
-    std::optional<FreeMotion> free;  ///< spheres, boxes and meshes only; none: prescribed motion
+    std::optional<FreeMotion> free;  ///< for spheres, boxes and meshes only; none: the obstacle does not move
+                                     ///< freely, but by `motion`
     double friction = 0;
-    double young = 3e10;  ///< Pa, by default of concrete, C20/25 of EN 1992-1-1, as most floors
+    double young = 3e10;  ///< Pa; by default that of the concrete C20/25 of EN 1992-1-1, as of most floors
     std::string where;    ///< "FILE:LINE: dotted.key" of its shape, for errors
 };
 
-/// The cache by which an obstacle deforms; null: it is rigid.
+/// Returns the cache by which an obstacle deforms; null: it is rigid.
 inline const ObstacleCache* cache_of(const ObstacleSpec& obstacle) {
     const auto* mesh = std::get_if<ObstacleMesh>(&obstacle.shape);
     return mesh != nullptr && mesh->cache ? &*mesh->cache : nullptr;

@@ -35,7 +35,7 @@ bool has_frame(const Scene& scene, std::int64_t step) {
 
 std::int64_t frame_count(const Scene& scene) {
     const std::int64_t steps = step_count(scene);
-    // An interval is at least a step long, so that none ends without a frame.
+    // An interval is at least a step long, so that no two of them end in the same step: each has a frame.
     return intervals(scene, steps - 1) + 2;
 }
 

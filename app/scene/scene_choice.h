@@ -6,16 +6,17 @@
 
 namespace sherd {
 
-/// Choice of a variant of a scene file, and of changes.
+/// Variant of a scene file, and changes of its keys, that a user has chosen.
 struct SceneChoice {
-    std::vector<std::string> overrides;  ///< KEY=VALUE with dotted keys; they win over the variant
-    std::string variant;                 ///< name; empty: the scene without its variants
+    std::vector<std::string> overrides;  ///< KEY=VALUE with dotted keys; they override the keys of the
+                                         ///< variant, too
+    std::string variant;                 ///< name of the variant; empty: the scene without a variant
 };
 
 /// Returns the text of a scene file as recordings keep it: with the choice in comments at its end.
 std::string recorded_text(std::string text, const SceneChoice& choice);
 
-/// Returns the choice in a text of recorded_text().
+/// Returns the choice that recorded_text() has appended to a scene's text.
 SceneChoice recorded_choice(const std::string& text);
 
 }  // namespace sherd

@@ -10,15 +10,16 @@
 
 namespace sherd {
 
-/// Grey values, the mean of the three colours, of a PNG file over the mesh's texture coordinates.
+/// Grey values from 0 to 1 (mean of red, green and blue) of a PNG file, found by the mesh's texture
+/// coordinates.
 struct MapTexture {
     std::filesystem::path path;
 };
 
-/// Values of a float grid of an OpenVDB file in the frame of the mesh file.
+/// Values of a float grid in an OpenVDB file, in the frame and unit of the mesh file.
 struct MapGrid {
     std::filesystem::path path;
-    std::string name = {};  ///< empty: the only float grid
+    std::string name = {};  ///< name of the grid; empty: the only float grid in the file
 };
 
 /// A property of the vertices of the sheet's own PLY file.
@@ -33,12 +34,12 @@ using MapSource = std::variant<MapTexture, MapGrid, MapProperty>;
 /// which they propagate.
 enum class FractureLaw { strength, toughness };
 
-/// A list of edges, see read_edge_list.
+/// File with a list of edges: see read_edge_list().
 struct ScoreFile {
     std::filesystem::path path;
 };
 
-/// A polyline in the mesh's own frame, m.
+/// A polyline in the frame of the mesh before it is placed, m.
 struct ScoreLine {
     std::vector<Eigen::Vector3d> points;
 };
@@ -46,28 +47,29 @@ struct ScoreLine {
 /// A scored line of a sheet, and its effect on strength or toughness.
 struct Score {
     std::variant<ScoreFile, ScoreLine> kind;
-    double factor = 1;  ///< times the strength, or the toughness
+    double factor = 1;  ///< factor on the strength, or on the toughness
     FractureLaw of = FractureLaw::strength;
     std::string where;  ///< "FILE:LINE: dotted.key", for errors
 };
 
-/// Strength or toughness of a sheet from place to place.
+/// A map of the strength or the toughness over a sheet.
 struct StrengthMap {
     MapSource source;
-    /// The factors of the values 0 and 1, linear between them; values above 1 count as 1. Without them the
-    /// values are factors themselves.
+    /// Factors for the values 0 and 1, linear between them; values above 1 count as 1. None: the values are
+    /// the factors.
     std::optional<Eigen::Vector2d> range;
-    bool never = false;  ///< instead: nothing breaks where the value is a half or more
+    bool never = false;  ///< whether, instead of factors, nothing breaks where the value is 0.5 or more
     FractureLaw of = FractureLaw::strength;
     std::string where;  ///< "FILE:LINE: dotted.key", for errors
 };
 
-/// Thickness of a sheet from place to place.
+/// A map of the thickness over a sheet.
 struct ThicknessMap {
     MapSource source;
-    /// Thickness for the values 0 and 1, m, linear between them; values above 1 count as 1.
+    /// Thickness, m, for the values 0 and 1, linear between them; values above 1 count as 1. None: by
+    /// `scale`.
     std::optional<Eigen::Vector2d> range;
-    double scale = 1;   ///< m, thickness for the value 1, without range
+    double scale = 1;   ///< m, thickness for the value 1 if there is no range
     std::string where;  ///< "FILE:LINE: dotted.key", for errors
 };
 

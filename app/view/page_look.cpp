@@ -94,7 +94,7 @@ PageLook::Arrays PageLook::arrays(const Snapshot& frame) const {
             for (const double x : corner)
                 arrays.texture.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(x)));
     const SharedValues<SurfaceMaterial> materials = shared_values(look.material);
-    std::vector<std::uint32_t> number;  // index of each of the frame's materials
+    std::vector<std::uint32_t> number;  // index in `known` of each material of the frame
     for (const SurfaceMaterial& material : materials.rows)
         number.push_back(static_cast<std::uint32_t>(std::ranges::find(known, material) - known.begin()));
     for (std::size_t f = 0; f < frame.faces.size(); ++f) {

@@ -30,8 +30,8 @@ struct Line {
     ViewState state;
 };
 
-/// Edges to be drawn: those that failed, and all that are open; on the rim of the unfractured mesh they count
-/// as unbroken.
+/// Returns the edges to be drawn: edges that have failed and are closed, and all open edges. Open edges on
+/// the rim of the unfractured mesh count as unbroken.
 std::vector<Line> lines_of(const Snapshot& frame) {
     std::vector<Line> lines;
     const std::vector<std::array<bool, 3>> open = open_edges(frame.faces), rim = rim_edges(frame.rest);
@@ -76,7 +76,8 @@ std::vector<std::uint32_t> owners_of(const Snapshot& frame) {
     return {frame.face_fragment.begin(), frame.face_fragment.end()};
 }
 
-/// Pairs of an index and its new value; `after` may be longer.
+/// Returns the changes from `before` to `after`, as pairs of an index and the new value there; `after` may be
+/// longer.
 std::vector<std::uint32_t> changes(const std::vector<std::uint32_t>& before,
                                    const std::vector<std::uint32_t>& after) {
     std::vector<std::uint32_t> pairs;
@@ -86,14 +87,16 @@ std::vector<std::uint32_t> changes(const std::vector<std::uint32_t>& before,
     return pairs;
 }
 
-/// Places in the frame before that do not follow from the corners that faces keep.
+/// Vertices and faces whose places in the frame before do not follow from the corners that faces keep.
 struct Insertions {
-    std::vector<std::uint32_t> vertices;  ///< number, and three earlier vertices between which it was
-    std::vector<float> shares;            ///< shares of these three vertices
-    std::vector<std::uint32_t> parts;     ///< pairs of a face and the earlier face of which it is a part
+    std::vector<std::uint32_t> vertices;  ///< [4 n] a vertex, and the three earlier vertices between which it
+                                          ///< was
+    std::vector<float> shares;            ///< [3 n] shares of these three earlier vertices
+    std::vector<std::uint32_t> parts;     ///< [2 m] a face, and the earlier face of which it is a part
 };
 
-/// Returns the earlier vertices as the page finds them, from the corners that faces keep.
+/// Returns, for each vertex of the later frame, the earlier vertex that the page takes for its place in the
+/// frame before: found by the corners that faces keep.
 std::vector<Index> vertices_before(const Snapshot& earlier, const Snapshot& later) {
     std::vector<Index> before(later.position.cols());
     for (std::size_t v = 0; v < before.size(); ++v)
@@ -123,7 +126,7 @@ Insertions fragment_splits(const Snapshot& earlier, const Snapshot& later) {
     return fragment_splits;
 }
 
-/// Packs frames in their order.
+/// Packs the frames of a page, one after the other.
 class Packer {
   public:
     Packer(const RenderStage& stage, const std::optional<PageLook>& look)
@@ -161,12 +164,12 @@ class Packer {
         return packed;
     }
 
-    const PageLook* look;  ///< null: left out
+    const PageLook* look;  ///< null: the page has no look
     Vector3d low, step;
     RenderColour colour;
-    double largest;                              ///< value of the brightest colour
-    std::vector<std::uint32_t> corners, owners;  ///< in the frame before
-    PageLook::Arrays looks;                      ///< in the frame before
+    double largest;                              ///< scalar that has the brightest colour
+    std::vector<std::uint32_t> corners, owners;  ///< values in the frame packed before
+    PageLook::Arrays looks;                      ///< values in the frame packed before
     Snapshot before;
 
   private:
@@ -180,7 +183,7 @@ class Packer {
     }
 };
 
-/// Look of the first frame.
+/// Returns the look of the first frame.
 PageJson look_json(const PageLook& look, const PageLook::Arrays& arrays) {
     PageJson materials = PageJson::array();
     for (const PageLook::Material& material : look.materials())
@@ -192,7 +195,8 @@ PageJson look_json(const PageLook& look, const PageLook::Arrays& arrays) {
             {"colour", base64_of(arrays.colour)}};
 }
 
-/// Shapes of obstacles, each in its own frame, without planes, which are the ground.
+/// Returns the shapes of obstacles, each in its own frame. Planes are left out, as the page draws them as
+/// ground.
 PageJson obstacles_json(const std::vector<RecordedObstacle>& obstacles) {
     PageJson list = PageJson::array();
     for (const RecordedObstacle& obstacle : obstacles) {
@@ -208,8 +212,8 @@ PageJson obstacles_json(const std::vector<RecordedObstacle>& obstacles) {
     return list;
 }
 
-/// Poses of all obstacles but planes: 4 x 4 numbers each, column by column, from its own frame to space
-/// relative to `origin`.
+/// Returns the poses of all obstacles but planes: for each 4 x 4 numbers, column by column, of the
+/// transformation from its own frame to space relative to `origin`.
 std::string packed_poses(const std::vector<RecordedObstacle>& obstacles, std::vector<Eigen::Isometry3d> poses,
                          const Vector3d& origin) {
     std::vector<float> numbers;
@@ -221,7 +225,7 @@ std::string packed_poses(const std::vector<RecordedObstacle>& obstacles, std::ve
     return base64_of(numbers);
 }
 
-/// Points of all obstacles but planes in this frame, m; empty for rigid ones.
+/// Returns the points, m, of all obstacles but planes in a frame; no points for rigid ones.
 PageJson packed_shapes(const std::vector<RecordedObstacle>& obstacles, const ObstacleShapes& shapes) {
     PageJson list = PageJson::array();
     for (std::size_t i = 0; i < shapes.size(); ++i) {
@@ -234,8 +238,8 @@ PageJson packed_shapes(const std::vector<RecordedObstacle>& obstacles, const Obs
     return list;
 }
 
-/// Numbers of each tip: its number, place (m) relative to `origin`, direction, speed, G / G_c, K_I, K_II, k_1
-/// and k_2.
+/// Returns 13 numbers for each crack tip: its number, place relative to `origin` (m), direction, speed (m/s),
+/// G / G_c, K_I, K_II, k_1 and k_2 (Pa m^0.5).
 std::string packed_tips(std::span<const TipRecord> tips, const Vector3d& origin) {
     std::vector<float> numbers;
     const auto add = [&](auto... values) { (numbers.push_back(static_cast<float>(values)), ...); };
@@ -253,7 +257,7 @@ PageJson bar_json(const ColourBar& bar) {
     return {{"title", bar.title}, {"ticks", ticks}, {"below", bar.below}, {"above", bar.above}};
 }
 
-/// poses: of the obstacles in the first frame, for the ground.
+/// Returns camera, ground and colours. poses: poses of the obstacles in the first frame, for the ground.
 PageJson stage_json(const RenderStage& stage, std::span<const Eigen::Isometry3d> poses) {
     PageJson planes = PageJson::array();
     for (const RenderPlane& plane : stage.ground(poses))

@@ -15,16 +15,18 @@ namespace sherd {
 /// JSON for the page, with keys in alphabetical order.
 using PageJson = nlohmann::json;
 
-/// Returns the frames of `count` to be shown if a frame takes `frame_bytes` and all may take `most_bytes`:
-/// every one, or as many as fit, at nearly equal distances; the first and the last always.
+/// Returns the numbers of the frames that a page shows, out of `count` frames, if a frame takes `frame_bytes`
+/// and all may take `most_bytes`: every frame, or as many as fit, at nearly equal distances, but always the
+/// first and the last one.
 std::vector<std::size_t> shown_frames(std::size_t count, std::size_t frame_bytes, std::size_t most_bytes);
 
-/// Returns the data of a recording's page, as view_page.html reads them. Arrays are in base64: positions as
-/// 16 bits of RenderStage::everything() in each direction; corners, fragments and look of the faces as pairs
-/// of an index and its new value, against the frame before; places of inserted vertices and faces in the
-/// frame before; the thickness of the last frame's faces (none in recordings of older versions); the shapes
-/// of obstacles, and their poses in each frame. thinning: of the meshes; none: as recorded. look: of meshes
-/// that are not thinned; none: left out.
+/// Returns the data of a recording's page, as view_page.html reads them. Arrays are in base64. Positions are
+/// 16-bit numbers, from one side of the box RenderStage::everything() to the other in each direction.
+/// Corners, fragments and look of faces are pairs of an index and its new value, which give the changes since
+/// the frame before. Inserted vertices and faces have their places in the frame before. The thickness is that
+/// of the last frame's faces (none in recordings of older versions). Obstacles have a shape, and a pose in
+/// each frame. frames: numbers of the recording's frames to be shown; thinning: thins their meshes, none:
+/// meshes as recorded; look: for meshes that are not thinned, none: no look.
 PageJson view_data(const Recording& recording, const RenderStage& stage,
                    const std::vector<std::size_t>& frames, const std::optional<MeshThinning>& thinning = {},
                    const std::optional<PageLook>& look = {});

@@ -11,16 +11,18 @@
 namespace sherd {
 namespace {
 
-using Cube = std::array<std::int64_t, 4>;  ///< the sheet, and the indices in the grid
+using Cube = std::array<std::int64_t, 4>;  ///< number of the sheet, and the three indices of the cube in the
+                                           ///< grid
 
-/// Edges merged into one.
+/// An edge into which edges of the recording are merged.
 struct MergedEdge {
     EdgeState state;
-    double strain = 0;  ///< sum of |strain| of the hinges
+    double strain = 0;  ///< 1/m, sum of |strain| of the merged hinges
     int hinges = 0;
 };
 
-/// State of two merged edges: fractured if one of them is, else interior if one of them is.
+/// Returns the state of an edge into which two edges are merged: fractured if one of them is, else interior
+/// if one of them is.
 EdgeState merged(EdgeState a, EdgeState b) {
     for (const EdgeState state : {EdgeState::fractured_interior, EdgeState::interior})
         if (a == state || b == state) return state;
@@ -46,8 +48,8 @@ void merge_edges(const Snapshot& frame, std::span<const Index> merged_vertex, Sn
     }
 }
 
-/// Returns, for each face of the unfractured mesh, the part of it that has corners in three cubes, or itself
-/// if none has.
+/// Returns, for each face of the unfractured mesh, the number of the part of it whose corners lie in three
+/// cubes, or the number of the face itself if there is no such part. cube: [R] cube of each vertex at rest.
 std::vector<std::size_t> faces_standing_for_their_parents(const RestMesh& rest, std::span<const Index> cube) {
     std::vector<std::size_t> standing(rest.unfractured_faces.size());
     std::iota(standing.begin(), standing.end(), std::size_t{0});
@@ -58,7 +60,8 @@ std::vector<std::size_t> faces_standing_for_their_parents(const RestMesh& rest, 
     return standing;
 }
 
-/// Middle of the vertices that are merged into each of `count`.
+/// Returns the mean position of the vertices that are merged into each of `count` vertices, [3, count] m.
+/// merged_vertex: [V] vertex into which each is merged, -1: none.
 Positions merged_positions(const Snapshot& frame, std::span<const Index> merged_vertex, Index count) {
     Positions position = Positions::Zero(3, count);
     VectorXd members = VectorXd::Zero(count);
@@ -71,7 +74,8 @@ Positions merged_positions(const Snapshot& frame, std::span<const Index> merged_
     return position;
 }
 
-/// Fields of the faces that represent the kept ones, in the axes of the former.
+/// Returns the fields of the kept faces: fields of the faces that represent them (`standing`), in the axes of
+/// these faces.
 FaceFields fields_of(const Snapshot& frame, std::span<const std::size_t> kept,
                      std::span<const std::size_t> standing) {
     FaceFields fields = frame.fields;
@@ -102,7 +106,7 @@ MeshThinning::MeshThinning(const RecordingHeader& header, std::span<const Index>
         const auto& [a, b, c] = header.rest_faces[f];
         if (cubes[a] != cubes[b] && cubes[b] != cubes[c] && cubes[c] != cubes[a]) kept.push_back(f);
     }
-    // Only cubes of kept faces get a number.
+    // Only cubes with corners of kept faces get a number.
     std::vector<Index> number(numbers.size(), -1);
     for (const std::size_t f : kept)
         for (const Index v : header.rest_faces[f])
@@ -111,7 +115,7 @@ MeshThinning::MeshThinning(const RecordingHeader& header, std::span<const Index>
         if (cube_number >= 0) cube_number = number[cube_number];
 }
 
-/// Cube of each vertex at rest: that of the nearest of its parents in the unfractured mesh.
+/// Returns the cube of each vertex at rest: the cube of its nearest parent in the unfractured mesh.
 std::vector<Index> MeshThinning::cubes_of(const RestMesh& rest) const {
     std::vector<Index> result;
     for (std::size_t v = 0; v < rest.vertex_parents.size(); ++v) {
@@ -128,8 +132,8 @@ Snapshot MeshThinning::thinned(const Snapshot& frame) const {
     coarse.time = frame.time;
     const std::vector<Index> cube = cubes_of(frame.rest);
     const std::vector<std::size_t> standing = faces_standing_for_their_parents(frame.rest, cube);
-    // Vertices by cube and fragment. One vertex of each cube has the cube's number, so that few numbers
-    // change with the fragments.
+    // Number of each merged vertex by its cube and fragment. The first vertex of a cube has the cube's
+    // number, so that few numbers change when fragments separate.
     std::map<std::pair<Index, Index>, Index> numbers;
     std::vector<char> given(count, 0);
     Index more = count;
@@ -152,7 +156,7 @@ Snapshot MeshThinning::thinned(const Snapshot& frame) const {
     }
     coarse.rest =
         unfractured_mesh(Positions::Zero(3, count), std::move(rest_faces), {}, std::move(thickness));
-    // All faces at a vertex are of one fragment.
+    // All faces at a vertex belong to the same fragment.
     std::vector<Index> merged_vertex(frame.position.cols(), -1);
     for (std::size_t f = 0; f < frame.faces.size(); ++f)
         for (const Index v : frame.faces[f])

@@ -8,29 +8,32 @@
 
 namespace sherd {
 
-/// Coarser meshes of a recording's frames, for pictures. Space at rest is divided into cubes. In each frame
-/// the vertices of a fragment that come from the same cube are merged into one, in their middle, so that
-/// fragments separate as recorded. Faces of the unfractured mesh with corners in three cubes remain, in all
-/// frames; fragments smaller than a cube may have none. Cracks within a fragment are shown by edges that are
-/// not open. An inserted vertex belongs to the cube of the nearest of its parents, so that one part of a face
-/// that was split has its corners in the three cubes, and represents the face.
+/// Makes coarser meshes of a recording's frames, for pictures. Space at rest is divided into cubes. In each
+/// frame the vertices of a fragment that come from the same cube are merged into a single vertex, at their
+/// mean position, so that fragments separate as recorded. Faces of the unfractured mesh with corners in three
+/// different cubes remain in all frames; fragments smaller than a cube may lose all faces. A crack within a
+/// fragment does not open, and is shown by its failed edges only. A vertex that a crack has inserted belongs
+/// to the cube of the nearest of its parents. One part of a face that a crack has split has its corners in
+/// the same three cubes as the face, and represents the face.
 class MeshThinning {
   public:
-    /// face_sheet: [F] or longer, sheets, whose vertices are kept apart; cube: m, length of an edge.
+    /// face_sheet: [F] or longer, sheet of each face; vertices of different sheets are not merged. cube: m,
+    /// length of the cubes' edges.
     MeshThinning(const RecordingHeader& header, std::span<const Index> face_sheet, double cube);
 
-    /// Returns step, time, position, faces, face_fragment, fields, edges and rest, without positions and
-    /// areas at rest, where the vertices are cubes; an edge has the mean |strain| of those merged, and is
-    /// fractured if one of them is.
+    /// Returns a frame with step, time, position, faces, face_fragment, fields, edges and rest, where `rest`
+    /// has no positions and areas, and its vertices are the cubes. An edge has the mean |strain| of the edges
+    /// that are merged into it, and is fractured if one of them is.
     Snapshot thinned(const Snapshot& frame) const;
-    double cube_length() const { return length; }  ///< m
+    double cube_length() const { return length; }  ///< m, length of the cubes' edges
 
   private:
     std::vector<Index> cubes_of(const RestMesh& rest) const;
 
     double length;
-    std::vector<Index> cubes;       ///< [V0] index of the cube of each vertex at rest, -1: unused
-    Index count = 0;                ///< number of cubes
+    std::vector<Index> cubes;       ///< [V0] cube of each vertex of the unfractured mesh; -1: no remaining
+                                    ///< face has a corner in its cube
+    Index count = 0;                ///< number of cubes with corners of remaining faces
     std::vector<std::size_t> kept;  ///< faces of the unfractured mesh that remain
 };
 

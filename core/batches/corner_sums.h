@@ -16,12 +16,12 @@ struct alignas(sizeof(Lanes)) Padded {
 };
 using PaddedPositions = std::vector<Padded>;
 
-/// Vectors, one of each of four elements.
+/// Four vectors, one for each of four elements.
 using LanesVector = Eigen::Matrix<Lanes, 3, 1>;
-/// Indices, one of each of four elements, in a row.
+/// Four indices, one for each of four elements.
 using LaneIndices = std::array<Index, Lanes::count>;
 
-/// The vectors of four vertices.
+/// Reads the vectors of four vertices.
 inline LanesVector gather(const PaddedPositions& all, const LaneIndices& vertices) {
     Lanes a = all[vertices[0]].coordinates, b = all[vertices[1]].coordinates,
           c = all[vertices[2]].coordinates, d = all[vertices[3]].coordinates;
@@ -56,19 +56,19 @@ constexpr Index batches_of(std::size_t elements) {
 constexpr int present_in(Index b, std::size_t elements) {
     return std::min<int>(Lanes::count, static_cast<int>(elements) - b * Lanes::count);
 }
-/// The element of a lane; the last element is repeated in the lanes that are left over.
+/// The element in a lane of batch b; lanes that are left over in the last batch repeat the last element.
 constexpr Index element_of(Index b, int lane, std::size_t elements) {
     return std::min(b * Lanes::count + lane, static_cast<Index>(elements) - 1);
 }
 
-/// Contributions of elements to their corners, each in a place of its own, so that many are computed at a
-/// time, and their sum at each vertex, always in the order of places.
+/// Contributions of elements to their corners, and their sum at each vertex. Each contribution has a place of
+/// its own, so that several are computed at a time; a sum always runs in the order of places.
 class CornerSums {
   public:
     void clear() { vertex_of.clear(); }
-    /// Appends places for the corners of a batch, given by the vertices of one corner after the other, and
-    /// returns the number of the first. present: number of elements in the batch; the places of other lanes
-    /// are left out of all sums.
+    /// Appends places for the corners of the elements in a batch, and returns the number of the first place.
+    /// vertices: for each corner, its vertex in each of the four elements; present: number of elements in the
+    /// batch; the places of the other lanes are left out of all sums.
     template <std::size_t Corners>
     Index append(const std::array<LaneIndices, Corners>& vertices, int present) {
         const Index first = static_cast<Index>(vertex_of.size());
@@ -87,7 +87,8 @@ class CornerSums {
 
   private:
     std::vector<Index> vertex_of;         ///< vertex of each place; -1: none
-    std::vector<Index> start, at_vertex;  ///< places of each vertex, and where they begin
+    std::vector<Index> start, at_vertex;  ///< [V + 1] where each vertex begins in at_vertex; places, ordered
+                                          ///< by vertex
     PaddedPositions places;
 };
 

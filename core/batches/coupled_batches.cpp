@@ -12,7 +12,7 @@ namespace {
 
 using LanesMatrix = Eigen::Matrix<Lanes, 3, 3>;
 
-/// Index, in a batch's six numbers, of each entry of the symmetric matrix.
+/// Index of each entry of a symmetric matrix among the six numbers that a batch stores.
 constexpr int entry[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
 
 constexpr Index batches_at_once = 64, rows_at_once = 512;
@@ -212,7 +212,8 @@ void CoupledBatches::find_of_tangents(Index begin, Index end) {
     });
 }
 
-/// Derivative of the energy by a fold's angle through its shares in the angles to tangents, N m.
+/// Part of the derivative of the energy by a fold's angle, N m: the part due to the fold's shares in the
+/// angles to tangents.
 double CoupledBatches::moment(Index fold) const {
     double sum = 0;
     for (Index i = shared.start[fold]; i < shared.start[fold + 1]; ++i) {

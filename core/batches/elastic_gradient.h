@@ -18,33 +18,34 @@ class HingeBatches {
     void build(const Shell& shell, const std::vector<CubicHinge>& hinges, CornerSums& corners);
     Index size() const { return static_cast<Index>(batches.size()); }
 
-    /// Writes the gradients, N, of the batches from `begin` to before `end` to their corners.
+    /// Writes the gradients, N, of the batches from `begin` to before `end` to their places in `corners`.
     void find(Index begin, Index end, const PaddedPositions& x, CornerSums& corners) const;
 
   private:
     struct alignas(sizeof(Lanes)) Batch {
-        std::array<Lanes, 6> quadratic;  ///< N/m, of all vertices but the first: 00, 11, 22, 01, 02, 12
-        Lanes cubic;                     ///< N/m^2
+        std::array<Lanes, 6> quadratic;  ///< N/m, CubicHinge::quadratic without the first vertex: 00, 11, 22,
+                                         ///< 01, 02, 12
+        Lanes cubic;                     ///< N/m^2, CubicHinge::cubic
         std::array<LaneIndices, 4> vertices;
-        Index place;  ///< place of the first vertex
+        Index place;  ///< number in CornerSums of the first vertex's place
     };
     std::vector<Batch> batches;
 };
 
-/// The gradient of the elastic energies of a shell, for repeated evaluation. It is that of
-/// ShellEnergies::elastic() up to round-off, computed in batches where the models have them (constant strain,
-/// cubic hinges, and with constant strain coupled hinges that do not yield), else by the energies themselves.
-/// It has the same bits with any number of threads.
+/// The gradient of the elastic energies of a shell, ShellEnergies::elastic(), for repeated evaluation. It is
+/// computed in batches for these models: membranes of constant strain, cubic hinges, and coupled hinges that
+/// do not yield if the membrane has constant strain. Other energies compute their gradients themselves. The
+/// result equals that of the energies up to round-off, and has the same bits with any number of threads.
 class ElasticGradient {
   public:
-    /// Shell and energies must outlive this object. options: of the energies.
+    /// Shell and energies must outlive this object. options: with which `energies` has been made.
     ElasticGradient(const Shell& shell, const ShellEnergies& energies, const ShellEnergyOptions& options,
                     Threads threads);
     ElasticGradient(const ElasticGradient&) = delete;
     /// Must be called when the shell has changed, or its state has been restored.
     void shell_changed() { built = false; }
 
-    /// Finds the gradient at x, [3, V] m.
+    /// Computes the gradient at x, [3, V] m.
     void find(const Positions& x);
     /// Writes the forces of the last find(), N, on the vertices from `begin` to before `end` to their columns
     /// of `forces`, [3, V].

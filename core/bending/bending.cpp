@@ -38,7 +38,8 @@ class PairedBending : public Energy {
     std::unique_ptr<Energy> force, jacobian;
 };
 
-/// A cubic model with its whole Jacobian, or only the constant part of it.
+/// The energy of a cubic model. Its Jacobian is the whole Jacobian (BendingJacobian::cubic), or only the
+/// Jacobian's constant part.
 std::unique_ptr<Energy> cubic_energy(const Shell& shell, BendingModel model, BendingJacobian jacobian) {
     const bool cubic_part = jacobian == BendingJacobian::cubic;
     if (model == BendingModel::cubic_2007)

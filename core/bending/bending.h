@@ -15,12 +15,12 @@ class CoupledBending;
 enum class BendingModel {
     coupled,     ///< coupled hinges, which converge to plate theory: see CoupledBending
     cubic,       ///< cubic shell (CS), in equilibrium at rest: see cubic_hinge()
-    cubic_2007,  ///< cubic shell as printed in the paper: see cubic_hinge_2007()
+    cubic_2007,  ///< cubic shell of the paper's eq. 7: see cubic_hinge_2007()
     nonlinear    ///< nonlinear hinge (NH)
 };
 
 /// The second derivative of bending that Newton's method uses. It affects the number of iterations, but not
-/// the solution, which only the energy determines. Coupled hinges always use their own.
+/// the solution, which only the energy determines. Coupled hinges always use their own second derivative.
 enum class BendingJacobian {
     constant,  ///< the constant Q of the cubic shell, the paper's CC
     cubic,     ///< Jacobian of the cubic shell (appendix A), the paper's CS
@@ -33,22 +33,22 @@ struct BendingOptions {
     BendingJacobian jacobian = BendingJacobian::nonlinear;
 };
 
-/// The Jacobian of the model's own force.
+/// The choice that is the Jacobian of the model's own force.
 BendingJacobian exact_jacobian(BendingModel model);
 
-/// Bending energy of all hinges of a shell, from its rest shape; with coupled hinges also of the mirrors,
-/// which have a separate energy with the other models (MirrorEnergy). The shell must outlive it, and its
-/// changes must be passed to topology_changed(). Curvature::exact gives the chosen Jacobian;
-/// Curvature::convex gives the positive semidefinite part of the nonlinear one and of that of coupled hinges,
-/// or the Q of the cubic hinge in equilibrium.
+/// Makes the bending energy of all hinges of a shell, measured from its rest shape. With coupled hinges it
+/// includes the energy of the mirrors, which with the other models is a separate energy (MirrorEnergy). The
+/// shell must outlive the energy, and all changes of the shell must be passed to topology_changed().
+/// Curvature::exact gives the chosen Jacobian. Curvature::convex gives the positive semidefinite part of the
+/// second derivative of nonlinear or coupled hinges, or the matrix Q of cubic hinges in equilibrium.
 std::unique_ptr<Energy> bending_energy(const Shell& shell, const BendingOptions& options = {},
                                        const std::vector<MirrorHinge>& mirrors = {});
 
 /// The cubic hinges (cubic_hinge()) that give a bending energy its forces, one for each hinge of the shell;
-/// null if there are none.
+/// null if other hinges do.
 const std::vector<CubicHinge>* cubic_hinges(const Energy& bending);
 
-/// The coupled hinges of a bending energy; null if there are none.
+/// The bending energy as CoupledBending; null if its hinges are not coupled.
 const CoupledBending* coupled_hinges(const Energy& bending);
 
 }  // namespace sherd

@@ -150,7 +150,7 @@ std::vector<MirrorGradient> CoupledBending::mirror_gradients(const Positions& x)
     return folds.mirror_gradients(x, moments(changes(x, present)));
 }
 
-/// The derivative of the energy by the angles, N m: S dtheta.
+/// The derivative of the energy by the angles of all folds, N m: S dtheta.
 VectorXd CoupledBending::moments(const VectorXd& changes) const {
     VectorXd all = VectorXd::Zero(changes.size());
     for (Index face = 0; face < faces(); ++face) {
@@ -227,7 +227,7 @@ void CoupledBending::add_hessian(const Positions& x, Curvature kind, BlockMatrix
         [&](BlockMatrix::Columns& columns, std::size_t i, const Rows& of_face) {
             columns.add_square(reached[i].vertices, of_face);
         });
-    // Contribution of the second derivatives of the angles.
+    // Adds the contribution of the second derivatives of the angles.
     if (kind == Curvature::exact) folds.add_hessian(x, moments(changes(x, some)), hessian, some);
 }
 

@@ -11,10 +11,10 @@ namespace sherd {
 /// The bending energy of coupled hinges: for each face, half its area times
 ///     k^T D k,
 /// with the face's change of curvature k (FaceCurvature) and the plate's rigidity D: the membrane's
-/// elasticity times t^2 / 12. With the changes of all angles, this is 1/2 dtheta^T S dtheta with a constant
-/// S. Angles are true dihedral angles, so that rigid motions do not change the energy and the rest shape is
-/// an equilibrium; a change of angle is taken between -pi and pi. Clamps and symmetry planes are folds like
-/// others.
+/// elasticity times t^2 / 12. As a function of the changes of all angles, dtheta, the energy is 1/2 dtheta^T
+/// S dtheta with a constant matrix S. Angles are true dihedral angles, so that rigid motions do not change
+/// the energy and the rest shape is an equilibrium; a change of angle is taken between -pi and pi. Clamps and
+/// symmetry planes are folds, too.
 class CoupledBending : public Energy {
   public:
     /// The shell must outlive this object.
@@ -23,8 +23,8 @@ class CoupledBending : public Energy {
     /// Measures changes of angles from the shape x instead of the rest shape, and multiplies the energy by
     /// `scale`.
     void start_from(const Positions& x, double scale);
-    /// Makes faces bend plastically beyond yield (YieldingSection), from the shell's positions on.
-    /// yield_of_sheet: Pa; 0: never.
+    /// Makes faces bend plastically beyond the yield stress of their sheet (YieldingSection), beginning at
+    /// the shell's positions. yield_of_sheet: Pa, for each sheet; 0: the sheet does not yield.
     void set_yield(std::vector<double> yield_of_sheet);
     /// Part of value() that yielding dissipates in a step that ends at x, J.
     double dissipated_by_yielding(const Positions& x) const;
@@ -38,7 +38,7 @@ class CoupledBending : public Energy {
     Eigen::Matrix3Xd curvatures(const Positions& x) const;
     /// Plastic curvature of each face in a step that ends at x, [3, F], 1/m.
     Eigen::Matrix3Xd plastic_curvatures(const Positions& x) const;
-    // Variants for some faces, [3, some].
+    // Variants for the faces `some`, with a column for each of them.
     Eigen::Matrix3Xd curvatures(const Positions& x, std::span<const Index> some) const {
         return curvatures_at(some, changes(x, curvature.folds_of(some)));
     }
@@ -47,10 +47,11 @@ class CoupledBending : public Energy {
     }
 
     const Folds& all_folds() const { return folds; }
-    double start_angle(Index fold) const { return start[fold]; }  ///< rad, from which changes are measured
+    /// Angle from which changes of a fold's angle are measured, rad.
+    double start_angle(Index fold) const { return start[fold]; }
     const FaceCurvature& face_curvature() const { return curvature; }
-    /// Elastic stiffness of a face against changes k of its curvature, J m^2: twice the energy is k^T of this
-    /// k.
+    /// Matrix D of the elastic stiffness of a face against a change k of its curvature, J m^2: its energy is
+    /// k^T D k / 2.
     Matrix3d rigidity(Index face) const {
         return rigidity_factor(face) * shell.triangles[face].membrane.elasticity;
     }
@@ -59,7 +60,7 @@ class CoupledBending : public Energy {
     std::vector<MirrorGradient> mirror_gradients(const Positions& x) const;
 
     void begin(const StepContext& step) override { folds.begin(step); }
-    /// Where triangles have changed, angles are measured from the rest shape again.
+    /// If triangles have changed, all changes of angles are measured from the rest shape again.
     void topology_changed(const ShellChange& change, const StepContext&) override;
     double value(const Positions& x) const override;
     double round_off() const override;
@@ -77,7 +78,8 @@ class CoupledBending : public Energy {
     /// The vertices on which the curvature of a face depends.
     struct Reach {
         std::vector<Index> vertices;               ///< ascending
-        std::vector<std::array<Index, 4>> places;  ///< indices of each term's fold in `vertices`; -1: none
+        std::vector<std::array<Index, 4>> places;  ///< for each term's fold, indices of its vertices in
+                                                   ///< `vertices`; -1: no vertex
     };
 
     Index faces() const { return static_cast<Index>(shell.triangles.size()); }
@@ -86,33 +88,34 @@ class CoupledBending : public Energy {
     /// Clears the reach of faces that have changed, and of faces that depend on vertices that a crack has
     /// split.
     void invalidate_reach(const ShellChange& change, std::span<const Index> changed);
-    /// The present folds whose vertices are all in a matrix.
+    /// The present folds all of whose vertices belong to a matrix, which may be a part.
     std::vector<Index> present_in(const BlockMatrix& hessian) const;
-    /// Derivative of the curvature of a face, times the root of its stiffness, by the positions of the
-    /// vertices in its reach, sqrt(J) / m.
+    /// Writes to `of_face` the derivative of a face's curvature by the positions of the vertices in its
+    /// reach, times the root of the face's stiffness, sqrt(J) / m. of_folds: slopes of all folds; changes:
+    /// see stiffness().
     void find_slopes(Index face, const std::vector<Folds::Slope>& of_folds, const VectorXd& changes,
                      BlockMatrix::Columns::Rows& of_face) const;
     VectorXd changes(const Positions& x, std::span<const Index> some) const {
         return changes_from(folds.angles(x, some));
     }
     VectorXd changes_from(const VectorXd& angles) const;
-    /// Curvatures and plastic curvatures of some faces. changes: of the angles of all folds, rad; those of
-    /// folds on which no face depends are not used.
+    /// Curvatures and plastic curvatures of some faces. changes: changes of the angles of all folds, rad;
+    /// entries of folds on which none of these faces depends are not used.
     Eigen::Matrix3Xd curvatures_at(std::span<const Index> some, const VectorXd& changes) const;
     Eigen::Matrix3Xd kept_at(std::span<const Index> some, const VectorXd& changes) const;
-    double rigidity_factor(Index face) const;  ///< m^4, of the membrane's elasticity
+    double rigidity_factor(Index face) const;  ///< m^4, rigidity() over the membrane's elasticity
     bool yields_at(Index face) const { return !yields.empty() && yields[shell.face_sheet[face]] > 0; }
     YieldingSection section(Index face) const;
     YieldingSection::State yielded(Index face, const Vector3d& bent) const {
         return section(face).at(bent, plastic[face]);
     }
-    /// The derivative of a face's energy by its curvature, J m.
+    /// The derivative of a face's energy by its curvature, J m. bent: change of curvature, 1/m.
     Vector3d moment(Index face, const Vector3d& bent) const {
         if (yields_at(face)) return shell.triangles[face].membrane.area * yielded(face, bent).moment;
         return rigidity_factor(face) * (shell.triangles[face].membrane.elasticity * bent);
     }
-    /// The second derivative of a face's energy by its curvature, J m^2, positive definite. changes: of all
-    /// folds, rad; used only where faces yield.
+    /// The second derivative of a face's energy by its curvature, J m^2, positive definite. changes: changes
+    /// of the angles of all folds, rad, used only if the face yields.
     Matrix3d stiffness(Index face, const VectorXd& changes) const;
     VectorXd moments(const VectorXd& changes) const;
 
@@ -123,8 +126,8 @@ class CoupledBending : public Energy {
     VectorXd start;              ///< angles of all folds, rad, from which changes are measured
     double scale = 1;
     std::vector<double> yields;        ///< Pa, yield stress of each sheet; empty: nothing yields
-    std::vector<PlasticBend> plastic;  ///< [F]; empty: nothing yields
-    /// Reach of each face, computed on demand; without vertices where it is outdated.
+    std::vector<PlasticBend> plastic;  ///< [F] plastic bending of each face; empty: nothing yields
+    /// [F] reach of each face, computed on demand; an outdated entry has no vertices.
     mutable std::vector<Reach> reach;
     mutable bool reach_is_valid = false;
     mutable std::vector<Folds::Slope> slopes;  ///< buffer, kept to save allocations

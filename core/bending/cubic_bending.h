@@ -10,7 +10,7 @@ namespace sherd {
 /// The cubic hinges of a shell, in equilibrium at rest.
 struct CubicHinges : HingeElements<CubicHinge> {
     /// rest: [3, V] m, see HingeElements; scale: factor on the hinges' stiffness; cubic_part: whether the
-    /// Hessian includes the cubic part, which is indefinite (the paper's CS), or is Q alone (CC).
+    /// Hessian includes the cubic part, which is indefinite (the paper's CS), or has only the part of Q (CC).
     CubicHinges(const std::vector<HingeStencil>& stencils, const Positions& rest, double scale = 1,
                 bool cubic_part = true);
     HingeHessian hessian(std::size_t i, const HingePositions& x, Curvature curvature) const;
@@ -26,8 +26,8 @@ struct CubicHinges : HingeElements<CubicHinge> {
     bool cubic_part;
 };
 
-/// The cubic hinges of eq. 7 as printed in the paper. Their convex Hessian is that of the hinges in
-/// equilibrium.
+/// The cubic hinges of the paper's eq. 7 (cubic_hinge_2007()). For Curvature::convex their Hessian is the
+/// matrix Q of the hinges in equilibrium (cubic_hinge()).
 struct CubicHinges2007 : HingeElements<CubicHinge> {
     CubicHinges2007(const std::vector<HingeStencil>& stencils, const Positions& rest, bool cubic_part = true);
     HingeHessian hessian(std::size_t i, const HingePositions& x, Curvature curvature) const;

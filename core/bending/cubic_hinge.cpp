@@ -18,7 +18,7 @@ HingePositions relative(const HingePositions& x) {
     return x.colwise() - Vector3d(x.col(0));
 }
 
-/// The hinge of eq. 7 without the constant.
+/// The hinge of the paper's eq. 7, without the constant.
 CubicHinge eq_7(const RestHinge& rest, double stiffness) {
     const auto [c01, c03, c02, c04] =
         std::array{rest.cotangents[0], rest.cotangents[1], rest.cotangents[2], rest.cotangents[3]};
@@ -30,7 +30,8 @@ CubicHinge eq_7(const RestHinge& rest, double stiffness) {
     return hinge;
 }
 
-/// Subtracts sum_j a_j |e_j|^2 with the a_j that cancel the gradient at rest.
+/// Subtracts sum_j a_j |e_j|^2 over the edges e_j of the stencil, with the coefficients a_j that cancel the
+/// gradient at rest.
 void bring_to_equilibrium(CubicHinge& hinge, const HingePositions& rest) {
     Eigen::Matrix<double, 12, 5> squares;
     for (int j = 0; j < 5; ++j) {

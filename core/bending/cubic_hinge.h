@@ -7,7 +7,8 @@ namespace sherd {
 
 /// A bending energy with a quadratic and a cubic part in the positions of four vertices,
 ///     E = 1/2 sum_c x_c^T Q x_c - k [e0, e1, e2] + constant,
-/// which equals the nonlinear hinge (paper, eq. 4) along isometric deformations.
+/// where x_c are the coordinates c of the vertices. It equals the energy of the nonlinear hinge (paper, eq.
+/// 4) along isometric deformations.
 struct CubicHinge {
     Eigen::Matrix4d quadratic;  ///< Q, N/m, the same for x, y and z; rows sum to zero
     double cubic = 0;           ///< k, N/m^2
@@ -30,8 +31,8 @@ double value(const CubicHinge& hinge, const HingePositions& x);
 double round_off(const CubicHinge& hinge);
 /// dE/dx, N, [3, 4].
 HingePositions gradient(const CubicHinge& hinge, const HingePositions& x);
-/// d2E/dx2, N/m, [12, 12], coordinate fastest (appendix A; the paper's CS). `cubic_part = false` leaves Q
-/// alone, which is constant (the paper's CC).
+/// d2E/dx2, N/m, [12, 12], coordinate fastest (appendix A; the paper's CS). If `cubic_part` is false, the
+/// result is only the part of Q, which is constant (the paper's CC).
 HingeHessian hessian(const CubicHinge& hinge, const HingePositions& x, bool cubic_part = true);
 
 }  // namespace sherd

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// In a file of its own, so that code that only reads scenes does not need the energies.
+// exact_jacobian() has a file of its own, so that code that only reads scenes does not need the energies.
 #include "core/bending/bending.h"
 
 namespace sherd {

@@ -7,8 +7,8 @@
 namespace sherd {
 namespace {
 
-/// Curvature of a face after it has bent at its free sides, each of which adds a multiple of its column of
-/// `free`, such that the energy is least.
+/// Returns the curvature of a face after it has bent at its free sides such that the energy is least. The
+/// bending at each free side adds a multiple of the side's column of `free` to `curvature`.
 Vector3d relaxed(const Vector3d& curvature, const Eigen::Matrix3Xd& free, const Matrix3d& elasticity) {
     const Matrix3d root = elasticity.llt().matrixU();
     const Eigen::ColPivHouseholderQR<Eigen::Matrix3Xd> bent(root * free);

@@ -14,7 +14,8 @@ namespace sherd {
 /// zero.
 class Folds {
   public:
-    /// A fold's angle, and its gradient by the sheet's vertices; the apex of a mirror image is no vertex.
+    /// A fold's angle, and its gradient by the positions of the sheet's vertices. The apex of a mirror image
+    /// is no vertex.
     struct Slope {
         std::array<Index, 4> vertices;  ///< -1: no vertex
         double angle;                   ///< rad
@@ -26,7 +27,8 @@ class Folds {
         : shell(shell), mirrors(shell, mirrors) {}
     void begin(const StepContext& step) { mirrors.begin(step); }
 
-    Index folds_of_edges() const { return static_cast<Index>(mirrors.size()); }  ///< number of edge 0
+    /// Number of edge 0 among the folds.
+    Index folds_of_edges() const { return static_cast<Index>(mirrors.size()); }
     Eigen::Index size() const {
         return folds_of_edges() + static_cast<Eigen::Index>(shell.edge_hinge.size());
     }
@@ -42,8 +44,8 @@ class Folds {
     VectorXd angles(const Positions& x) const;  ///< angles of all folds, rad
     /// Folds that have an angle: mirrors, then edges with a hinge, in the order of hinges.
     std::vector<Index> present() const;
-    // With a list of present folds, the functions below compute these alone. Entries of others are undefined,
-    // but angles are zero.
+    // The functions below that have a list `some` of present folds compute only the entries of these folds.
+    // Other entries are zero in lists of angles, and undefined in lists of slopes.
     VectorXd angles(const Positions& x, std::span<const Index> some) const;
     std::vector<Slope> slopes(const Positions& x) const { return slopes(x, present()); }
     std::vector<Slope> slopes(const Positions& x, std::span<const Index> some) const {
@@ -51,28 +53,30 @@ class Folds {
         find_slopes(x, some, all);
         return all;
     }
-    /// Writes slopes into a buffer, which is made large enough.
+    /// Writes slopes to the buffer `all`, which is made large enough.
     void find_slopes(const Positions& x, std::span<const Index> some, std::vector<Slope>& all,
                      const Threads& threads = Threads()) const;
-    VectorXd angles(std::span<const Slope> slopes, std::span<const Index> some) const;  ///< rad
-    /// Adds the gradient of an energy with the derivatives of_angles, N m, by the angles of all folds.
+    /// Angles, rad, that `slopes` hold.
+    VectorXd angles(std::span<const Slope> slopes, std::span<const Index> some) const;
+    /// Adds the gradient, N, of an energy whose derivatives by the angles of all folds are of_angles, N m.
     void add_gradient(std::span<const Slope> slopes, const VectorXd& of_angles, Positions& gradient,
                       std::span<const Index> some) const;
     /// Must be called when the shell has changed. Where triangles have changed, there may be more mirrors
     /// than before.
     void follow(const ShellChange& change) { mirrors.follow(change); }
-    /// Appends the rest angles of new edges to angles of all folds; where triangles have changed, all angles
-    /// become rest angles.
+    /// Appends the rest angles of new edges to `angles`, a list for all folds; if triangles have changed, all
+    /// angles become rest angles.
     void extend(const ShellChange& change, VectorXd& angles) const;
 
-    /// Adds the contribution of the angles' second derivatives to the Hessian of such an energy.
+    /// Adds the contribution of the angles' second derivatives to the Hessian of an energy: see
+    /// add_gradient() for of_angles.
     void add_hessian(const Positions& x, const VectorXd& of_angles, BlockMatrix& hessian) const {
         add_hessian(x, of_angles, hessian, present());
     }
     void add_hessian(const Positions& x, const VectorXd& of_angles, BlockMatrix& hessian,
                      std::span<const Index> some) const;
-    /// Gradient of such an energy for each mirror. The forces of other folds on their vertices have neither
-    /// net force nor net torque.
+    /// Gradient, by the vertices of each mirror, of an energy: see add_gradient() for of_angles. Only mirrors
+    /// exert a net force or torque: the forces of other folds on their vertices have neither.
     std::vector<MirrorGradient> mirror_gradients(const Positions& x, const VectorXd& of_angles) const;
 
     void visit_state(StateVisitor& visit) {
@@ -81,7 +85,8 @@ class Folds {
     }
 
   private:
-    /// A fold at x as a hinge; the fourth vertex of a mirror is the image.
+    /// Positions of a fold's vertices at x, as of a hinge; the fourth vertex of a mirror is the image of its
+    /// apex.
     HingePositions positions(Index fold, const Positions& x) const;
     Slope slope(Index fold, const Positions& x) const;
 

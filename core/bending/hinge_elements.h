@@ -9,8 +9,8 @@
 
 namespace sherd {
 
-// Calls of the overloads declared for a kind of hinge, from within structs that have members of the same
-// names.
+// Functions that call the overloads value(), gradient() and round_off() of a kind of hinge. Structs that have
+// members of the same names call the overloads through them.
 template <class Hinge>
 double value_of(const Hinge& hinge, const HingePositions& x) {
     return value(hinge, x);
@@ -29,7 +29,7 @@ template <class Hinge>
 struct HingeElements {
     /// The shell's stencils, which must outlive this object; they hold the vertices.
     const std::vector<HingeStencil>* stencils;
-    const Positions* rest;      ///< [3, V] m, from which hinges are made; must exist when follow() is called
+    const Positions* rest;      ///< [3, V] m, rest shape of the hinges; must exist when follow() is called
     std::vector<Hinge> hinges;  ///< hinge of each stencil
 
     std::size_t size() const { return hinges.size(); }

@@ -11,7 +11,7 @@ namespace {
 
 using HingeVector = Eigen::Matrix<double, 12, 1>;
 
-/// cos and sin of theta - thetabar.
+/// cos and sin of theta - thetabar. turn: cos and sin of theta.
 Vector2d turn_from_rest(const NonlinearHinge& hinge, const Vector2d& turn) {
     const Vector2d& rest = hinge.rest_turn;
     return {turn.dot(rest), turn[1] * rest[0] - turn[0] * rest[1]};

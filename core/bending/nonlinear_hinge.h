@@ -7,7 +7,7 @@ namespace sherd {
 
 /// The nonlinear hinge (paper, eqs. 3 and 4, without the assumption of isometry):
 ///     E = lambda 3 |e0bar|^2 / Abar (1 - cos(theta - thetabar)),
-/// with the true dihedral angle theta, on any deformation.
+/// with the true dihedral angle theta, on any deformation. A bar marks quantities of the rest shape.
 struct NonlinearHinge {
     double scale = 0;                        ///< lambda 3 |e0bar|^2 / Abar, J
     Vector2d rest_turn = Vector2d::UnitX();  ///< cos and sin of the rest angle
@@ -17,7 +17,7 @@ struct NonlinearHinge {
 /// D).
 NonlinearHinge nonlinear_hinge(const HingePositions& rest, double stiffness);
 
-/// Energy, J. It and its derivatives are NaN where a triangle has no area.
+/// Energy, J. The energy and its derivatives are NaN if a triangle has no area.
 double value(const NonlinearHinge& hinge, const HingePositions& x);
 /// Bound on the round-off error of the energy, J.
 double round_off(const NonlinearHinge& hinge);

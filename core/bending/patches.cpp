@@ -10,25 +10,28 @@
 namespace sherd {
 namespace {
 
-/// Singular values of a patch's angles over the edge's length: below `sees_well` the patch is grown, below
-/// `sees_hardly` weights are not corrected.
+/// Limits of the singular values of a patch's AnglesOfFolds. If the smallest is below `sees_well`, the patch
+/// is grown; for singular values below `sees_hardly`, weights are not corrected.
 constexpr double sees_well = 0.2, sees_hardly = 0.05;
 constexpr std::array<Index, 3> no_folds{-1, -1, -1};
 
-/// A tensor's components with the weight that makes their sum of squares the same in all frames.
+/// Components of a tensor (00, 11, 01), of which the last is multiplied such that their sum of squares is the
+/// same in all frames.
 Vector3d invariant(const Vector3d& tensor) {
     return {tensor[0], tensor[1], std::numbers::sqrt2 * tensor[2]};
 }
 
-/// All sides of the six triangles of a grown patch. With this bound the matrices below need no heap.
+/// Largest number of folds: all sides of the six triangles of a grown patch. With this bound the matrices
+/// below need no heap.
 constexpr int most_folds = 18;
-/// [folds, 3]; JacobiSVD needs a dynamic number of columns, too.
+/// Angles of the folds of a patch as functions of curvature (FoldAngle), over the length of the patch's side,
+/// [folds, 3]. JacobiSVD needs a dynamic number of columns, too.
 using AnglesOfFolds = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_folds, 3>;
 using Weights = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_folds, 1>;  ///< [folds]
 using Decomposition = Eigen::JacobiSVD<AnglesOfFolds>;
 
-/// Weights after the smallest change that makes their sum of the folds' angles `target`, as far as the angles
-/// determine it. svd: of the angles.
+/// Returns the weights after the smallest change that makes the weighted sum of `angles` equal to `target`,
+/// as far as `angles` determine the sum. svd: decomposition of `angles`.
 Weights corrected(const Weights& weights, const AnglesOfFolds& angles, const Decomposition& svd,
                   const Vector3d& target) {
     Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> missing =
@@ -54,7 +57,7 @@ Decomposition decomposed(const AnglesOfFolds& angles) {
 
 double most_side_curvature(double length, double angle) {
     // A grown patch has six triangles, and 13 folds at most. The norm of their shares in a curvature along a
-    // side is at most that of the target, 1 / length, over the smallest singular value that counts.
+    // side is at most the norm of the target, 1 / length, over the smallest singular value that counts.
     return std::sqrt(13.0) * angle / (sees_hardly * length);
 }
 
@@ -119,7 +122,7 @@ void Patches::enter_mirrors(Change& result) {
     for (Index m = 0; m < first_edge; ++m) enter(m, folds.mirror_side(m), result);
 }
 
-/// among: faces that contain all sides of these hinges.
+/// Enters the folds of hinges at their sides. among: faces that have all these sides.
 void Patches::enter_hinges(std::span<const Index> hinges, std::span<const Index> among, Change& result) {
     const std::vector<std::array<TriangleEdge, 2>> sides = sides_of_hinges(shell, hinges, among);
     for (std::size_t i = 0; i < hinges.size(); ++i) {
@@ -136,7 +139,7 @@ void Patches::enter(Index fold, const TriangleEdge& side, Change& result) {
     fold_of_side[side.triangle][side.corner] = fold;
 }
 
-/// Marks a face and its folds: every sum that depends on the face has a share of one of them.
+/// Marks a face and its folds as changed: every sum that depends on the face has a share of one of its folds.
 void Patches::touch(Index face, Change& result) const {
     result.faces.push_back(face);
     for (const Index fold : fold_of_side[face])
@@ -157,7 +160,7 @@ double Patches::side_length(const TriangleEdge& side) const {
 Patches::Unfolded Patches::across(const Unfolded& from, int side) const {
     const auto& [first, second] = sides_of_edge[fold_of_side[from.triangle][side] - first_edge];
     const TriangleEdge& other = first.triangle == from.triangle && first.corner == side ? second : first;
-    // The common edge runs the other way in the other triangle.
+    // The common edge has the opposite direction in the other triangle.
     const double turn = direction_of_side(triangles[from.triangle], side) -
                         direction_of_side(triangles[other.triangle], other.corner) - std::numbers::pi;
     return {other.triangle, from.angle + turn};
@@ -169,7 +172,8 @@ std::vector<Patches::Unfolded> Patches::grown(const std::vector<Unfolded>& patch
         for (int side = 0; side < 3; ++side) {
             if (fold_of_side[at.triangle][side] < first_edge) continue;
             const Unfolded next = across(at, side);
-            // A triangle next to both is unfolded across either edge.
+            // A triangle that adjoins two triangles of the patch is added twice, unfolded across each of the
+            // two edges.
             if (std::ranges::find(patch, next.triangle, &Unfolded::triangle) == patch.end())
                 all.push_back(next);
         }
@@ -198,8 +202,8 @@ std::vector<Patches::FoldAngle> Patches::folds_of(const std::vector<Unfolded>& p
             known->angle += angle_of(at, side);
             ++known->views;
         }
-    // Where a curved patch closes around a vertex, a fold has different directions as seen from its two ends.
-    // The mean does not depend on their order.
+    // Where a curved patch closes around a vertex, a fold has different directions as seen from different
+    // triangles. The mean does not depend on the order of triangles.
     for (FoldAngle& fold : seen) fold.angle /= fold.views;
     return seen;
 }

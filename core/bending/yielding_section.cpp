@@ -11,7 +11,7 @@
 namespace sherd {
 namespace {
 
-/// Matrix P of the von Mises moment, the root of m^T P m.
+/// Matrix P such that the root of m^T P m is the von Mises moment.
 Matrix3d mises_form() {
     return Matrix3d{{1, -0.5, 0}, {-0.5, 1, 0}, {0, 0, 3}};
 }
@@ -20,8 +20,9 @@ double mises(const Vector3d& moment) {
     return std::sqrt(moment.dot(mises_form() * moment));
 }
 
-/// Curvature over that at which the surface yields, after the plastic curvature `passed` in the same unit:
-/// the root from 1 on of u^3 - (3/2 + passed) u^2 + 1/2, which Newton's method approaches from above.
+/// Returns the curvature u after the plastic curvature `passed`; the unit of both is the curvature at which
+/// the surface begins to yield. u is the root >= 1 of u^3 - (3/2 + passed) u^2 + 1/2, which Newton's method
+/// approaches from above.
 double curvature_after(double passed) {
     double u = 1.5 + passed;
     for (int i = 0; i < 100; ++i) {
@@ -32,7 +33,8 @@ double curvature_after(double passed) {
     return u;
 }
 
-constexpr double least_hardening = 1e-6;  // share of the elastic rigidity: the tangent stays definite
+constexpr double least_hardening = 1e-6;  // share of the elastic rigidity, with which the tangent stays
+                                          // definite
 
 }  // namespace
 
@@ -65,7 +67,7 @@ YieldingSection::State YieldingSection::at(const Vector3d& bent, const PlasticBe
 }
 
 void YieldingSection::yield(const Vector3d& elastic, State& state) const {
-    // The moment at the end follows from a rigidity that yielding lowers: (D^-1 + share P)^-1.
+    // The moment at the end follows from the rigidity D lowered by yielding: (D^-1 + share P)^-1.
     const Matrix3d compliance = rigidity.inverse();
     const auto lowered = [&](double share) {
         return Vector3d((compliance + share * mises_form()).inverse() * elastic);
@@ -75,7 +77,7 @@ void YieldingSection::yield(const Vector3d& elastic, State& state) const {
         const double moment = mises(lowered(share));
         return moment - moment_after(before.passed + share * moment);
     };
-    if (beyond(0) <= 0) return;  // beyond by round-off alone
+    if (beyond(0) <= 0) return;  // the moment exceeds the limit by round-off alone
     double most = compliance(0, 0);
     while (beyond(most) > 0) most *= 2;
     std::uintmax_t calls = 200;

@@ -7,23 +7,23 @@ namespace sherd {
 
 /// Plastic bending of a face.
 struct PlasticBend {
-    Vector3d curvature = Vector3d::Zero();  ///< (00, 11, 2 * 01), 1/m, at which it has no moment
-    double passed = 0;                      ///< accumulated plastic curvature, in all directions, 1/m
+    Vector3d curvature = Vector3d::Zero();  ///< change of curvature, (00, 11, 2 * 01), 1/m, without moment
+    double passed = 0;                      ///< plastic curvature accumulated in all directions, 1/m
 };
 
-/// Moment over yield moment that a section of an elastic and perfectly plastic material bears after the
-/// plastic curvature `passed`, in multiples of the curvature at which its surface begins to yield: its layers
-/// yield from the surfaces inwards, and M / M_y = 3/2 - (k_y / k)^2 / 2, up to the 3/2 of a section that
-/// yields as a whole.
+/// Moment over yield moment, M / M_y, that a section of an elastic and perfectly plastic material bears after
+/// a plastic curvature. passed: this curvature, in multiples of the curvature k_y at which the section's
+/// surface begins to yield. The layers of the section yield from the surfaces inwards, so that M / M_y = 3/2
+/// - (k_y / k)^2 / 2 at the curvature k; if the whole section yields, this is 3/2.
 double share_of_yield_moment(double passed);
 
-/// The bending of a square metre of a plate that yields: an elastic plate whose moment (00, 11, 01), N, stays
-/// within a von Mises moment, sqrt(m00^2 + m11^2 - m00 m11 + 3 m01^2), which grows from the yield moment on
-/// by share_of_yield_moment(). In one direction this is exact, for a section that is bent and bent back; for
-/// the rest it is J2 plasticity of the resultants with isotropic hardening (Crisfield's modified Ilyushin
-/// criterion without membrane forces), so that a section that is bent the other way yields too late.
-/// The plastic curvature of a step is found at its end, so that the moment is the derivative of a potential
-/// of the curvature.
+/// The bending of a square metre of a plate that yields: an elastic plate whose moment m (00, 11, 01), N, is
+/// limited. The von Mises moment, sqrt(m00^2 + m11^2 - m00 m11 + 3 m01^2), does not exceed a limit, which
+/// begins at the yield moment and grows by share_of_yield_moment(). For a section that is bent in one
+/// direction and then unloaded this is exact. In general it is J2 plasticity of the resultants with isotropic
+/// hardening (Crisfield's modified Ilyushin criterion without membrane forces); therefore a section that is
+/// bent in the opposite direction afterwards yields too late. The plastic curvature of a step is found at the
+/// end of the step, so that the moment is the derivative of a potential of the curvature.
 class YieldingSection {
   public:
     /// rigidity: N m, symmetric and positive definite; yield_moment: N, yield stress times t^2 / 6.
@@ -32,22 +32,24 @@ class YieldingSection {
 
     struct State {
         Vector3d moment;      ///< N
-        PlasticBend plastic;  ///< plastic bending if the step ends there
-        double stored = 0;    ///< J/m^2, elastic
+        PlasticBend plastic;  ///< plastic bending if the step ends in this state
+        double stored = 0;    ///< J/m^2, elastic energy
         double taken = 0;     ///< J/m^2, dissipated in the step
     };
-    /// State at a change of curvature (00, 11, 2 * 01), 1/m, in a step that began with `before`.
+    /// Returns the state at the change of curvature `bent`, (00, 11, 2 * 01), 1/m, in a step that began with
+    /// the plastic bending `before`.
     State at(const Vector3d& bent, const PlasticBend& before) const;
-    /// Derivative of the moment by the curvature in that state, N m: symmetric and positive definite.
+    /// Derivative of the moment by the curvature, N m, in a state that at() has found with the same `before`:
+    /// symmetric and positive definite.
     Matrix3d tangent(const State& state, const PlasticBend& before) const;
 
   private:
-    /// Reduces an elastic moment to one that the section bears. elastic: curvature of the elastic moment,
-    /// 1/m.
+    /// Reduces the moment of `state` to a moment that the section bears, and enters the plastic bending.
+    /// elastic: change of curvature less the plastic curvature before, 1/m.
     void yield(const Vector3d& elastic, State& state) const;
-    double moment_after(double passed) const;  ///< N, von Mises moment borne after this plastic curvature
+    double moment_after(double passed) const;  ///< N, limit of the von Mises moment
     double first_curvature() const;  ///< 1/m, curvature in one direction at which the surface yields
-    /// Energy dissipated by plastic curvature since the beginning, J/m^2.
+    /// Energy, J/m^2, that has been dissipated when the accumulated plastic curvature is `passed` (1/m).
     double work_after(double passed) const;
 
     Matrix3d rigidity;

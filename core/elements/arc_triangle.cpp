@@ -6,8 +6,9 @@
 namespace sherd {
 namespace {
 
-/// Green strain for each m^2 that the square of a side grows, 1/m^2, a column for each side: with the
-/// gradients g of the shape functions of its ends, that of the side is -sym(g_i g_j^T) / 2.
+/// Derivative of the Green strain by the squares of the sides' lengths, 1/m^2, a column for each side. For a
+/// side between corners i and j, whose shape functions have the gradients g_i and g_j, the strain is -sym(g_i
+/// g_j^T) / 2.
 Matrix3d strain_of_squares(const MembraneTriangle& triangle) {
     Matrix3d strain;
     for (int side = 0; side < 3; ++side) {
@@ -37,7 +38,7 @@ Vector3d forces(const ArcTriangle& triangle, const Vector3d& strain) {
     return membrane.area * strain_of_squares(membrane).transpose() * (membrane.elasticity * strain);
 }
 
-/// Square of a side's arc over that of its chord.
+/// Square of a side's arc over the square of its chord.
 Vector3d stretch(const ArcTriangle& triangle, const Vector3d& curvature) {
     return Vector3d::Ones() + triangle.rest_squares.cwiseProduct(curvature.cwiseAbs2()) / 12;
 }
@@ -91,7 +92,8 @@ Eigen::Matrix<double, 12, 12> hessian(const ArcTriangle& triangle, const Triangl
     const Matrix3d stiffness = membrane.area * strains.transpose() * membrane.elasticity * strains;
     Eigen::Matrix<double, 12, 12> h = slopes.transpose() * stiffness * slopes;
 
-    // The force on an arc pulls its chord as much more as the arc is longer.
+    // A force on the square of an arc is a force on the square of its chord multiplied by stretch(). The
+    // excess over the chord's own force is added to the stress.
     Vector3d stress = membrane.elasticity * strain;
     const Eigen::Matrix<double, 2, 3> sides = rest_sides(membrane);
     const Vector3d more =

@@ -3,14 +3,14 @@
 
 namespace sherd {
 
-/// The contribution of a triangle to the gradient is w_i normal / height, with the weights w of x0, x1 and
-/// the apex in the apex' motion relative to the material point of the edge below it. With d = (-1, 1, 0), l
-/// and h the length and the height, and the frame (a, c, n) = (along the edge, across it, normal = a x c),
-/// its derivative is
+/// The contribution of a triangle to the gradient at vertex i is w_i n / h. Here w are the weights of x0, x1
+/// and the apex in the displacement of the apex relative to the foot of its height on the edge; n is the
+/// normal and h the height. With d = (-1, 1, 0), the edge's length l, and the frame (a, c, n) along the edge,
+/// across it and along n = a x c, the derivative of this contribution is
 ///     -(w_i w_j (c n^T + n c^T) / h^2 + w_i d_j a n^T / (h l) + d_i w_j n a^T / (h l)
 ///       + d_i d_j n c^T / l^2).
-/// The last term is symmetric only when summed over both triangles; its symmetric part has the same sum.
-/// Compare Tamstorf and Grinspun, Discrete bending forces and their Jacobians (2013).
+/// The last term is symmetric only when summed over both triangles; its symmetric part, which is used here,
+/// has the same sum. Compare Tamstorf and Grinspun, Discrete bending forces and their Jacobians (2013).
 template <>
 void DihedralAngle::add_hessian(double factor, HingeHessian& hessian) const {
     constexpr double d[3] = {-1, 1, 0};

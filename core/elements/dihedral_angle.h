@@ -21,7 +21,7 @@ Real small_arc_tangent(const Real& tangent) {
     return tangent + tangent * (even - odd);
 }
 
-/// Angle of std::atan2(y, x), rad.
+/// Angle, rad, as of std::atan2(y, x).
 inline double arc_tangent(double y, double x) {
     const double tangent = y / x;
     const bool small = x > 0 && tangent * tangent < small_tangent * small_tangent;
@@ -36,8 +36,8 @@ inline Lanes arc_tangent(const Lanes& y, const Lanes& x) {
     return angle;
 }
 
-/// The dihedral angle of a hinge (hinge_angle()) with its derivatives, on any deformation; these are NaN
-/// where a triangle has no area. Real: double, or Lanes for four hinges at once.
+/// The dihedral angle of a hinge (hinge_angle()) with its derivatives, on any deformation. The derivatives
+/// are NaN if a triangle has no area. Real: double, or Lanes for four hinges at once.
 template <class Real>
 class DihedralAngleOf {
   public:
@@ -56,7 +56,7 @@ class DihedralAngleOf {
         const Turn turn = scaled_turn();
         return arc_tangent(turn[1], turn[0]);
     }
-    /// The angle less that of cos and sin `from`, rad, between -pi and pi.
+    /// The angle, rad, less the angle whose cos and sin are `from`, between -pi and pi.
     Real angle_from(const Turn& from) const {
         const Turn turn = scaled_turn();
         return arc_tangent(turn[1] * from[0] - turn[0] * from[1], turn.dot(from));
@@ -67,19 +67,19 @@ class DihedralAngleOf {
     /// d(theta)/dx, 1/m, [3, 4]. Each triangle rotates by the displacement of its apex along its normal, over
     /// its height.
     HingePositions gradient() const;
-    /// Adds factor d2(theta)/dx2, [12, 12], coordinate fastest.
+    /// Adds `factor` times d2(theta)/dx2, [12, 12], coordinate fastest.
     void add_hessian(Real factor, Eigen::Matrix<Real, 12, 12>& hessian) const;
 
   private:
-    Turn scaled_turn() const {  ///< m^4, cos and sin times the doubled areas
+    Turn scaled_turn() const {  ///< m^4, cos and sin times both doubled areas
         return {normals[0].dot(normals[1]), length * normals[0].dot(sides[1])};
     }
-    /// Share of x1 in the foot of an apex on the edge; x0 has the rest, up to 1.
+    /// Weight of x1 in the foot of an apex's height on the edge; x0 has the weight 1 - foot(side).
     Real foot(int side) const { return sides[side].dot(edge) / (length * length); }
 
     Vector edge;        ///< m, from x0 to x1
     Vector sides[2];    ///< m, from x0 to each apex
-    Vector normals[2];  ///< m^2, doubled area along the normal; both point the same way in a flat hinge
+    Vector normals[2];  ///< m^2, doubled area along the normal; parallel in a flat hinge
     Real length;        ///< m, of the edge
 };
 

@@ -5,14 +5,16 @@
 
 namespace sherd {
 
-/// The gradient, N, [3, 3], by the corners of a triangle of an energy that depends on the dihedral angles at
-/// its sides, as far as these come from its own rotation. Side c is opposite corner c. edges: m, along the
-/// sides in the triangle's order of corners, [3, 3]; moments: derivatives of the energy by the angles over
-/// the sides' lengths, N.
+/// Returns the gradient, N, [3, 3], by the positions of a triangle's corners, of an energy of the dihedral
+/// angles at the triangle's sides; only the rotation of the triangle itself counts, not that of its
+/// neighbours. Side c is opposite to corner c. edges: [3, 3] m, vectors along the sides in the triangle's
+/// order of corners; moments: N, derivatives of the energy by the angles over the sides' lengths.
 ///
-/// An angle turns by the displacement of its apex along the normal, over the height, and at the ends of the
-/// side by the shares of these in the foot of the apex (DihedralAngle::gradient()). With the normal n, as
-/// long as twice the area, that is (e_i . e_c) n / (n^2 l_c) at corner i. Real: double, or Lanes for four.
+/// The angle at side c changes by the displacement of corner c along the normal, over its height, less the
+/// displacements of the side's ends times their weights in the foot of this height
+/// (DihedralAngle::gradient()). With the edges e, the normal n, whose length is twice the area, and the
+/// side's length l_c, the angle's gradient at corner i is (e_i . e_c) n / (n^2 l_c). Real: double, or Lanes
+/// for four triangles.
 template <class Real>
 Eigen::Matrix<Real, 3, 3> fold_gradient(const Eigen::Matrix<Real, 3, 3>& edges,
                                         const Eigen::Matrix<Real, 3, 1>& moments) {

@@ -18,13 +18,13 @@ struct RestHinge {
     double edge_length = 0;      ///< |e0|, m
     double area = 0;             ///< m^2, of both triangles together
     double angle = 0;            ///< rest angle, rad
-    Eigen::Vector4d cotangents;  ///< c01, c03, c02, c04: of T0 at x0 and x1, of T1 at x0 and x1
+    Eigen::Vector4d cotangents;  ///< c01, c03, c02, c04: of the angles of T0 at x0 and x1, then of T1
 };
 
 RestHinge rest_hinge(const HingePositions& rest);
 
-/// Signed dihedral angle in (-pi, pi): zero when flat, positive when the triple product [e0, e1, e2] is. It
-/// is computed with atan2, so that it is exact for large angles too.
+/// Signed dihedral angle in (-pi, pi): zero when flat, positive when the triple product [e0, e1, e2] of the
+/// edges from x0 is positive. It is computed with atan2, so that it is exact for large angles, too.
 double hinge_angle(const HingePositions& x);
 
 /// Bending strain |e0| / A (theta - rest angle), 1/m: the mean change of normal curvature across the edge

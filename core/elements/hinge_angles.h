@@ -9,7 +9,8 @@
 
 namespace sherd {
 
-/// columns() of four elements of N vertices at once, [3, N]: of[lane] are the vertices of one.
+/// Reads the columns() of four elements of N vertices, one element in each lane: [3, N]. of[lane]: vertices
+/// of the element in this lane.
 template <std::size_t N>
 Eigen::Matrix<Lanes, 3, static_cast<int>(N)> lane_columns(const Positions& x,
                                                           const std::array<Index, N> (&of)[Lanes::count]) {
@@ -22,8 +23,8 @@ Eigen::Matrix<Lanes, 3, static_cast<int>(N)> lane_columns(const Positions& x,
     return local;
 }
 
-/// Calls each(numbers) for groups of four of `count` elements, with their numbers; the last group repeats the
-/// last number.
+/// Calls each(numbers) with the numbers of four elements for each group of four among `count` elements. In
+/// the last group the last number is repeated.
 template <class Each>
 void each_four(Index count, const Each& each) {
     wide_loop(0, (count + Lanes::count - 1) / Lanes::count, [&](Index group) {
@@ -34,8 +35,8 @@ void each_four(Index count, const Each& each) {
     });
 }
 
-/// Calls put(i, angle) with hinge_angle() at x, [3, V] m, of `count` hinges, which are computed four at a
-/// time. vertices_of(i): the vertices of hinge i, as an array.
+/// Calls put(i, angle) for each of `count` hinges, with hinge_angle() of hinge i at x, [3, V] m. Angles are
+/// computed four at a time. vertices_of(i): the vertices of hinge i, as an array.
 template <class VerticesOf, class Put>
 void find_hinge_angles(const Positions& x, Index count, const VerticesOf& vertices_of, const Put& put) {
     each_four(count, [&](const std::array<Index, Lanes::count>& hinges) {
@@ -46,7 +47,7 @@ void find_hinge_angles(const Positions& x, Index count, const VerticesOf& vertic
     });
 }
 
-/// hinge_strain() of a hinge that has this angle, rad.
+/// hinge_strain() of a hinge with the angle `angle`, rad.
 double hinge_strain(const RestHinge& rest, double angle);
 
 }  // namespace sherd

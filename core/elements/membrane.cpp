@@ -52,7 +52,8 @@ MembraneTriangle membrane_triangle(const TrianglePositions& rest, const Matrix3d
     return triangle;
 }
 
-// Computed from edge vectors, which keeps digits far from the origin; the derivatives' rows sum to zero.
+// F is computed from edge vectors, since the derivatives' rows sum to zero: far from the origin this keeps
+// digits.
 Matrix32 deformation_gradient(const MembraneTriangle& triangle, const TrianglePositions& x) {
     const Vector3d one = x.col(1) - x.col(0), other = x.col(2) - x.col(0);
     Matrix32 F;

@@ -13,7 +13,7 @@ Eigen::Matrix<Real, 3, 1> strain_of(const Eigen::Matrix<Real, 3, 2>& F) {
     return {0.5 * (F.col(0).squaredNorm() - 1), 0.5 * (F.col(1).squaredNorm() - 1), F.col(0).dot(F.col(1))};
 }
 
-/// The first Piola-Kirchhoff stress F S of a second one, S = (00, 11, 01).
+/// The first Piola-Kirchhoff stress F S. stress: the second Piola-Kirchhoff stress S, (00, 11, 01).
 template <class Real>
 Eigen::Matrix<Real, 3, 2> pulled(const Eigen::Matrix<Real, 3, 2>& F,
                                  const Eigen::Matrix<Real, 3, 1>& stress) {

@@ -7,11 +7,11 @@
 namespace sherd {
 namespace {
 
-/// A side with the frame of its middle.
+/// A side, with a frame at its middle.
 struct Side {
     Vector2d along, outward;  ///< unit vectors
     double length;            ///< m
-    double apex, height;      ///< m, the opposite corner is at (apex, -height)
+    double apex, height;      ///< m; the opposite corner is at (apex, -height) in this frame
 };
 
 Side side_of(const PlaneTriangle& triangle, int side) {

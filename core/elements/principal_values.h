@@ -8,7 +8,7 @@ namespace sherd {
 /// The principal values of a symmetric tensor in the plane, (00, 11, 01), the larger one first.
 Vector2d principal_values(const Vector3d& tensor);
 
-/// The tensor of a strain or curvature (00, 11, 2 * 01): (00, 11, 01).
+/// Converts a strain or curvature (00, 11, 2 * 01) to the components (00, 11, 01) of its tensor.
 inline Vector3d tensor_of_strain(const Vector3d& strain) {
     return {strain[0], strain[1], strain[2] / 2};
 }

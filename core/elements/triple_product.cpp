@@ -6,7 +6,7 @@
 namespace sherd {
 namespace {
 
-/// Edges e0, e1 and e2: small numbers lose fewer digits than positions.
+/// The edges e0, e1 and e2 from x0: small numbers, which lose fewer digits than positions.
 struct EdgesFromStart {
     explicit EdgesFromStart(const HingePositions& x)
         : e0(x.col(1) - x.col(0)), e1(x.col(2) - x.col(0)), e2(x.col(3) - x.col(0)) {}

@@ -14,7 +14,7 @@ double triple_product(const HingePositions& x);
 HingePositions triple_gradient(const HingePositions& x);
 
 /// Adds factor times the triple product's second derivative, m, [12, 12], coordinate fastest (paper, appendix
-/// A). It is linear in x, zero on the diagonal, and not definite.
+/// A). This derivative is linear in x, zero on the diagonal, and not definite.
 void add_triple_hessian(double factor, const HingePositions& x, HingeHessian& hessian);
 
 }  // namespace sherd

@@ -21,8 +21,8 @@ struct Damping {
 };
 
 /// Stiffness-proportional damping in one implicit step: (coefficient / lag) times the elastic energy of the
-/// membrane and of coupled hinges (with the paper's models, cubic ones) of a shell whose rest shape is the
-/// step's origin (StepContext). To second order this is Rayleigh's
+/// membrane and of coupled hinges (cubic hinges if the bending model is one of the paper's) of a shell whose
+/// rest shape is the step's origin (StepContext). To second order this is Rayleigh's
 ///     coefficient / (2 lag) (x - origin)^T K (x - origin),
 /// where K is the stiffness matrix at that shape without its stresses. An elastic energy exerts neither net
 /// force nor net torque in any shape, so that linear and angular momentum are conserved; x^T K x alone
@@ -50,10 +50,10 @@ class StiffnessDamping : public Energy {
     const Shell& shell;
     double coefficient;
     std::vector<TriangleStencil> triangles;
-    std::unique_ptr<CoupledBending> coupled;  ///< bending of coupled hinges; null: others
-    std::unique_ptr<ArcMembrane> arcs;        ///< membrane with arcs; null: constant strain
+    std::unique_ptr<CoupledBending> coupled;  ///< energy of coupled hinges; null: hinges are not coupled
+    std::unique_ptr<ArcMembrane> arcs;        ///< membrane with arcs; null: membrane of constant strain
     std::unique_ptr<Energy> uncoupled, flat;
-    const Energy *bending = nullptr, *membrane = nullptr;  ///< the two energies in use
+    const Energy *bending = nullptr, *membrane = nullptr;  ///< the energies in use
 };
 
 /// Mass-proportional damping in one implicit step: coefficient / (2 lag) (x - origin)^T M (x - origin).
@@ -78,7 +78,7 @@ class MassDamping : public ElementEnergy<VertexSprings> {
   private:
     const Shell& shell;
     double coefficient;
-    double per_mass = 0;  ///< 1/s^2
+    double per_mass = 0;  ///< 1/s^2, stiffness of the springs per mass
 };
 
 }  // namespace sherd

@@ -9,7 +9,7 @@ namespace {
 
 using Turned = TurnedTriangles::Turned;
 
-/// Weights of the triangle's vertices in the vector from the foot to the apex.
+/// Weights of the triangle's vertices in the vector from the foot of its height to its apex.
 Vector3d weights(const Turned& triangle) {
     return {triangle.foot - 1, -triangle.foot, 1};
 }

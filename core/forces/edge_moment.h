@@ -15,22 +15,22 @@ struct EdgeMoment {
     double moment;  ///< N m
 };
 
-/// Distributes a moment, in N m per m of rest length, over the sides. A positive one turns the triangles by
-/// the right-hand rule about their sides, which run counterclockwise around them.
+/// Distributes a moment, in N m per m of rest length, over the sides. A positive moment turns the triangles
+/// by the right-hand rule about their sides, which run counterclockwise around them.
 std::vector<EdgeMoment> edge_moments(const Shell& shell, std::span<const TriangleEdge> sides, double moment);
 
 /// Triangles that moments turn about one of their sides. The energy is minus the moment times the angle by
-/// which the triangle has turned about the axis since the beginning of the step: the direction from the foot
-/// of its height, a point of the side, to its apex, seen along the axis. The forces are a couple: on the apex
-/// across that direction, and the opposite one on the side's ends. In the plane across the axis its moment is
-/// exactly the given one at any angle.
+/// which a triangle has turned about the axis since the beginning of the step. This is the angle, seen along
+/// the axis, of the direction from the foot of the triangle's height, a point of the side, to its apex. The
+/// forces are a couple: a force on the apex, across this direction, and the opposite force on the side's
+/// ends. In the plane across the axis, the moment of this couple is exactly the given moment at any angle.
 struct TurnedTriangles {
     struct Turned {
         std::array<Index, 3> vertices;  ///< the side's ends, then the apex
-        double foot;  ///< place of the height's foot at rest, 0 at the first end, 1 at the second
+        double foot;  ///< place of the height's foot on the side at rest: 0 first end, 1 second end
         Eigen::Matrix<double, 2, 3>
             across;      ///< rows: unit vectors that form a right-handed frame with the axis
-        Vector2d start;  ///< m, foot to apex at the beginning of the step, in this frame
+        Vector2d start;  ///< m, foot to apex at the beginning of the step, in the frame `across`
         double moment;   ///< N m, in the current step
     };
     std::vector<Turned> triangles;

@@ -31,7 +31,8 @@ class GivenForces : public Energy {
   private:
     const Shell& shell;
     Positions acceleration;  ///< [3, V] m/s^2
-    Positions start, force;  ///< [3, V] m, N, in the open step
+    /// Positions at the beginning of the open step, [3, V] m, and forces in the step, [3, V] N.
+    Positions start, force;
 };
 
 }  // namespace sherd

@@ -13,8 +13,8 @@ double fraction(const Load& load, double time) {
     return load.ramp > 0 ? std::clamp(time / load.ramp, 0.0, 1.0) : 1.0;
 }
 
-/// Moves a force to the corner at `vertex` of a reshaped face: of such faces, the one with the largest share
-/// of the parent `from`.
+/// Returns `force` moved to the corner at `vertex` of a reshaped face. If several reshaped faces have this
+/// corner, the face with the largest share of the parent `from` is taken.
 CornerForce at_vertex(const Shell& shell, const ShellChange& change, Index from, Index vertex,
                       CornerForce force) {
     double most = -1;

@@ -23,7 +23,7 @@ struct FaceForce {
 struct Load {
     std::vector<CornerForce> dead;         ///< forces of constant direction
     std::vector<Index> pressed;            ///< triangles under pressure
-    std::vector<EdgeMoment> moments = {};  ///< on sides of triangles
+    std::vector<EdgeMoment> moments = {};  ///< moments on sides of triangles
     double pressure = 0;                   ///< Pa, along the normal of a triangle in its current position
     double ramp = 0;                       ///< s; 0: full size from the start
     std::vector<FaceForce> spread = {};    ///< forces of constant direction on faces
@@ -44,14 +44,15 @@ std::vector<CornerForce> line_forces(const Shell& shell, std::span<const Triangl
 std::vector<FaceForce> area_forces(const Shell& shell, std::span<const Index> triangles,
                                    const Vector3d& force);
 
-/// Triangles under pressure, with the energy minus pressure times the volume under them.
+/// Triangles under pressure. Their energy is minus the pressure times the volume under them, the cones from
+/// `centre` to the triangles.
 struct PressedTriangles {
     struct Pressed {
         std::array<Index, 3> vertices;
         double pressure;  ///< Pa, in the current step
     };
     std::vector<Pressed> triangles;
-    Vector3d centre = Vector3d::Zero();  ///< m, apex of the volume's cones
+    Vector3d centre = Vector3d::Zero();  ///< m, apex of the cones
 
     std::size_t size() const { return triangles.size(); }
     const std::array<Index, 3>& vertices(std::size_t i) const { return triangles[i].vertices; }
@@ -63,19 +64,19 @@ struct PressedTriangles {
 
 /// The potential of loads in one time step: minus the work of dead forces and of moments, minus pressure
 /// times the volume under the pressed triangles (the cones from their centre at the beginning of the step).
-/// In the interior of the pressed surface the volume's derivative is the pressure's force, so that closed
-/// sheets and those held along their rim get the exact force and its symmetric tangent. At a free rim the
-/// difference is added as a dead force, evaluated at the beginning of the step: there the load stiffness has
-/// no symmetric form.
+/// In the interior of the pressed surface the volume's derivative is the force of the pressure, so that
+/// closed sheets, and sheets that are held along their rim, get the exact force and its symmetric tangent. At
+/// a free rim the derivative differs from the force. There the difference is added as a dead force, evaluated
+/// at the beginning of the step, since the load stiffness has no symmetric form.
 class LoadEnergy : public Energy {
   public:
     /// The shell must outlive this object.
     LoadEnergy(const Shell& shell, std::vector<Load> loads) : shell(shell), loads(std::move(loads)) {}
     void begin(const StepContext& step) override;
     /// Inserted faces are under pressure if their first parent is. Dead forces stay on the corners of their
-    /// triangles. Where triangles change, forces on corners and moments stay with their vertices and sides,
-    /// which must stay in their place, and forces spread over triangles are inherited by area. Throws
-    /// std::runtime_error if a side with a moment no longer exists.
+    /// triangles. Where triangles change, forces on corners stay with their vertices and moments with their
+    /// sides; these vertices and sides must stay in their place. Forces spread over triangles are inherited
+    /// by area. Throws std::runtime_error if a side with a moment no longer exists.
     void topology_changed(const ShellChange& change, const StepContext& step) override;
     double value(const Positions& x) const override;  ///< J, zero at the beginning of the step
     void add_gradient(const Positions& x, Positions& gradient) const override;
@@ -95,7 +96,7 @@ class LoadEnergy : public Energy {
 
     const Shell& shell;
     std::vector<Load> loads;
-    Positions start;  ///< [3, V] m
+    Positions start;  ///< [3, V] m, positions at the beginning of the step
     Positions force;  ///< [3, V] N, dead forces
     PressedTriangles pressed;
     TurnedTriangles turned;

@@ -10,12 +10,13 @@
 namespace sherd {
 namespace {
 
-/// Mirrors with an energy of their own: coupled hinges include theirs.
+/// The mirrors that need a separate energy: none with coupled hinges, whose energy includes them.
 std::vector<MirrorHinge> uncoupled_mirrors(const ShellEnergyOptions& options) {
     return options.bending.model == BendingModel::coupled ? std::vector<MirrorHinge>() : options.mirrors;
 }
 
-/// Sets the yield stresses of the bending energy. Returns it if it yields; else null.
+/// Sets the yield stresses of the bending energy. Returns the energy if its hinges are coupled and a sheet
+/// yields; else null.
 CoupledBending* yielding_part(Energy& bending, const ShellEnergyOptions& options) {
     if (options.yields.empty()) return nullptr;
     auto* coupled = dynamic_cast<CoupledBending*>(&bending);

@@ -25,19 +25,19 @@ struct ShellEnergyOptions {
     BendingOptions bending = {};  ///< energy and Jacobian of the hinges
     MembraneModel membrane = MembraneModel::constant_strain;
     std::vector<MirrorHinge> mirrors = {};    ///< clamps and symmetry planes
-    std::vector<Index> mirror_supports = {};  ///< support of each; empty: no reactions
+    std::vector<Index> mirror_supports = {};  ///< number of each mirror's support; empty: no reactions
     std::vector<Load> loads = {};
     std::vector<Wind> winds = {};
     Damping damping = {};
-    /// Yield stress of each sheet, Pa, beyond which coupled hinges bend plastically; 0: they do not. Empty:
-    /// no sheet yields.
+    /// Yield stress of each sheet, Pa, beyond which coupled hinges bend plastically; 0: the sheet does not
+    /// yield. Empty: no sheet yields.
     std::vector<double> yields = {};
     bool given_forces = false;  ///< whether ShellEnergies::give() may be called
 };
 
 /// A non-elastic energy in a step.
 struct OuterEnergy {
-    double EnergyBalance::*part;
+    double EnergyBalance::*part;  ///< part of the balance in which its work is entered
     std::unique_ptr<Energy> energy;
     /// Whether the force depends on the velocity (x - origin) / lag of the step (StepContext), and not on x.
     bool of_velocity;
@@ -49,7 +49,7 @@ class ShellEnergies {
     /// The shell must outlive this object.
     ShellEnergies(const Shell& shell, const ShellEnergyOptions& options);
 
-    /// Replaces the damping by that of other options, from the shell as it is now.
+    /// Replaces the damping energies by those of `options`, which begin with the shell as it is now.
     void damp(const ShellEnergyOptions& options);
 
     /// Sets forces on the vertices, [3, V] N, from the next step on: see GivenForces. Only with
@@ -60,18 +60,20 @@ class ShellEnergies {
     std::vector<Energy*> elastic() { return {bending.get(), membrane.get(), &mirrors}; }
     const Energy& bending_part() const { return *bending; }
     const Energy& membrane_part() const { return *membrane; }
-    const MirrorEnergy& mirror_part() const { return mirrors; }  ///< mirrors of hinges that are not coupled
+    /// Energy of mirrors; zero with coupled hinges, whose energy includes it.
+    const MirrorEnergy& mirror_part() const { return mirrors; }
     std::vector<Energy*> loads();
     const std::vector<OuterEnergy>& outer() const { return others; }
     /// Whether a clamp or a symmetry plane has a prescribed motion.
     bool mirrors_move() const;
 
-    /// Adds the forces of clamps and symmetry planes, at x [3, V] m in the open step, to their reactions.
+    /// Adds the forces of clamps and symmetry planes, at x [3, V] m in the open step, to the reactions of
+    /// their supports.
     void add_mirror_reactions(const Positions& x, std::span<Reaction> of_supports) const;
     /// Work, J, of the clamps and symmetry planes with a prescribed motion, in the step that ends at x.
     double mirror_work(const StepContext& step, const Positions& x) const;
-    /// Adds the work of loads, wind and damping to the balance, in the step that ends at x, in which the
-    /// vertices moved by `moved`, and their gradients to `gradient`.
+    /// Adds the work of loads, wind and damping in the step that ends at x, [3, V] m, to the balance, and
+    /// their gradients at x, N, to `gradient`. moved: displacements of the vertices in the step, [3, V] m.
     void add_outer(const Positions& x, const Positions& moved, EnergyBalance& balance,
                    Positions& gradient) const;
 
@@ -90,14 +92,14 @@ class ShellEnergies {
     const CoupledBending* coupled_bending() const { return coupled; }  ///< null if hinges are not coupled
     /// Changes of curvature of all faces (CoupledBending::curvatures()); none: hinges are not coupled.
     std::optional<Eigen::Matrix3Xd> coupled_curvatures(const Positions& x) const;
-    /// Changes of curvature of all faces, of coupled hinges or else of single ones (curvatures_of_hinges(),
-    /// by height).
+    /// Changes of curvature of all faces, [3, F] 1/m: of coupled hinges, or, if hinges are not coupled, from
+    /// curvatures_of_hinges() with angles shared by height.
     Eigen::Matrix3Xd face_curvatures(const Positions& x) const;
     /// Plastic curvatures of all faces (CoupledBending::plastic_curvatures()); none: nothing yields.
     std::optional<Eigen::Matrix3Xd> plastic_curvatures(const Positions& x) const;
     /// Green strain of all faces, [3, F], as the membrane measures it.
     Eigen::Matrix3Xd face_strains(const Positions& x) const;
-    // Variants for some faces, [3, faces].
+    // Variants for `faces` only, with a column for each of them.
     std::optional<Eigen::Matrix3Xd> coupled_curvatures(const Positions& x,
                                                        std::span<const Index> faces) const;
     std::optional<Eigen::Matrix3Xd> plastic_curvatures(const Positions& x,

@@ -9,7 +9,8 @@
 namespace sherd {
 namespace {
 
-/// K, kg/s, of a triangle. corners: m; relative: velocity of the air relative to the triangle, m/s.
+/// Matrix K, kg/s, of a triangle: see WindEnergy. corners: m; relative: velocity of the air relative to the
+/// triangle, m/s.
 Matrix3d resistance(const Wind& wind, const TrianglePositions& corners, const Vector3d& relative) {
     const Vector3d area =
         0.5 * Vector3d(corners.col(1) - corners.col(0)).cross(Vector3d(corners.col(2) - corners.col(0)));

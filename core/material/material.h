@@ -36,23 +36,24 @@ bool is_isotropic(const Material& material);
 /// the geometric mean of nu01 and nu10 (Huber); for an isotropic sheet this is Y / (2 (1 + nu)).
 Orthotropy elastic_constants(const Material& material);
 
-/// Plate rigidity D = Y t^3 / (12 (1 - nu^2)), N m; the geometric mean of the two for an orthotropic sheet.
+/// Plate rigidity D = Y t^3 / (12 (1 - nu^2)), N m; for an orthotropic sheet the geometric mean of the
+/// rigidities along its two axes.
 double bending_rigidity(const Material& material);
 
-/// Young's modulus, Pa; the geometric mean of the two for an orthotropic sheet.
+/// Young's modulus, Pa; for an orthotropic sheet the geometric mean of its two moduli.
 double mean_young(const Material& material);
 
 /// Stiffness lambda, N m, of a hinge whose rest edge makes `angle` (rad) with the first material axis: see
 /// edge_stiffness() and Calibration.
 double hinge_stiffness(const Material& material, double angle = 0);
 
-/// Plane-stress elasticity times thickness, N/m, [3, 3], acting on the Green strain (E00, E11, 2 E01) in a
-/// frame from whose first axis the first material axis is rotated by `angle` (rad, counterclockwise).
+/// Plane-stress elasticity times thickness, N/m, [3, 3], acting on the Green strain (E00, E11, 2 E01) in some
+/// frame. angle: rad, counterclockwise, from the frame's first axis to the first material axis.
 Matrix3d membrane_elasticity(const Material& material, double angle = 0);
 
-/// Ratio of stretching stiffness to the hinges' bending stiffness at a length (m): Y t / (lambda / length^2),
-/// with the smaller Y and the larger lambda of the two axes. The cubic hinge is valid from about 100 on
-/// (paper, section 8).
+/// Ratio of stretching stiffness to the hinges' bending stiffness for elements of a length (m): Y t / (lambda
+/// / length^2), with the smaller Y and the larger lambda of the two axes. The cubic hinge is valid from about
+/// 100 on (paper, section 8).
 double stretch_over_bend(const Material& material, double length);
 inline constexpr double least_stretch_over_bend = 100;
 

@@ -23,23 +23,23 @@ struct Orthotropy {
 std::string broken_inequality(const Orthotropy& constants);
 
 /// Stiffness lambda, N m, of a hinge whose rest edge makes `angle` (rad, of either sign) with the first axis
-/// (paper, section 5.1): an edge along the first axis bends the second one. It is not calibrated: for an
-/// isotropic sheet it is the rigidity D = Y t^3 / (12 (1 - nu^2)) at every angle.
+/// (paper, section 5.1): a fold along the first axis bends the sheet along the second axis. Calibration is
+/// left out: for an isotropic sheet this is the rigidity D = Y t^3 / (12 (1 - nu^2)) at every angle.
 double edge_stiffness(const Orthotropy& constants, double thickness, double angle);
 
 /// Elasticity times thickness in the material axes, N/m, [3, 3], acting on the strain (E00, E11, 2 E01).
 Matrix3d plane_stress_elasticity(const Orthotropy& constants, double thickness);
 
-/// Elasticity turned to act on strains in a frame from whose first axis the first material axis is rotated by
-/// `angle` (rad, counterclockwise).
+/// Converts an elasticity that acts on strains in the material axes to one that acts on strains in another
+/// frame. angle: rad, counterclockwise, from this frame's first axis to the first material axis.
 Matrix3d turned_elasticity(const Matrix3d& elasticity, double angle);
 
 /// Angle (rad, counterclockwise) from the first edge of a triangle, x0 to x1, to a direction in its plane.
 double axis_angle(const TrianglePositions& rest, const Vector3d& axis);
 
-/// Angle (rad) from the rest edge of a hinge to the first material axis in its tangent plane: the mean,
-/// modulo 180 degrees, of the axes (in the planes of T0 and T1) once the hinge is laid flat. If the two are
-/// perpendicular the mean is undefined, and the axis of T0 is taken.
+/// Angle, rad, from the rest edge of a hinge to the first material axis: the mean, modulo 180 degrees, of the
+/// angles to the axes of T0 and of T1, each in the plane of its triangle. If the two axes are perpendicular
+/// when the hinge is laid flat, the mean is undefined, and the axis of T0 is taken.
 double hinge_axis_angle(const HingePositions& rest, const std::array<Vector3d, 2>& axes);
 
 }  // namespace sherd

@@ -10,15 +10,15 @@ namespace {
 
 using ArcHessian = Eigen::Matrix<double, 12, 12>;
 
-/// The derivatives of a face's energy by the positions of its corners and the curvature along its sides.
+/// Derivatives, by the position of one vertex, of a face's gradient, which is by the positions of its corners
+/// and the curvature along its sides.
 using ArcColumns = Eigen::Matrix<double, 12, 3>;
 
-/// Derivative of the curvature along the sides of a face by the position of a vertex, 1/m^2, a row for each
-/// side.
+/// Derivative of the curvature along the sides of a face by the position of a vertex.
 struct BentSides {
     Index vertex;
-    int corner;  ///< corner of the face; -1: a vertex of a face around
-    Matrix3d slope;
+    int corner;      ///< corner of the face at the vertex; -1: none
+    Matrix3d slope;  ///< 1/m^2, a row for each side
 };
 
 Matrix3d& slope_at(std::vector<BentSides>& all, Index vertex) {
@@ -27,7 +27,8 @@ Matrix3d& slope_at(std::vector<BentSides>& all, Index vertex) {
     return at->slope;
 }
 
-/// Finds these derivatives for all vertices on which the sides depend, ascending.
+/// Writes to `all` the derivatives by all vertices on which the curvature along a face's sides depends,
+/// ascending.
 void find_sides(const std::array<Index, 3>& corners, const SideCurvature& curvature, std::size_t face,
                 const std::vector<Folds::Slope>& slopes, std::vector<BentSides>& all) {
     all.clear();
@@ -40,14 +41,15 @@ void find_sides(const std::array<Index, 3>& corners, const SideCurvature& curvat
     std::ranges::sort(all, {}, &BentSides::vertex);
 }
 
-/// Derivatives of the face's gradient by the position of a vertex.
+/// Derivatives of a face's gradient by the position of the vertex `at`.
 ArcColumns columns_of(const BentSides& at, const ArcHessian& hessian) {
     ArcColumns sum = hessian.rightCols<3>() * at.slope;
     if (at.corner >= 0) sum += hessian.middleCols<3>(3 * at.corner);
     return sum;
 }
 
-/// The block of the face's Hessian for a vertex and the one with these columns.
+/// The block of a face's Hessian in the row of the vertex `at`, and the column of a vertex whose columns_of()
+/// are `other`.
 Matrix3d block(const BentSides& at, const ArcColumns& other) {
     Matrix3d sum = at.slope.transpose() * other.bottomRows<3>();
     if (at.corner >= 0) sum += other.middleRows<3>(3 * at.corner);

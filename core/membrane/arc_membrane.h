@@ -8,17 +8,17 @@
 namespace sherd {
 
 /// Membrane energy of triangles with arcs for sides (arc_triangle.h), which do not lock where thin curved
-/// sheets bend: the curvature along the sides follows from the dihedral angles around (SideCurvature). At
-/// rest the arcs have their rest lengths, with the same curvature of the rest shape, also beside cracks: an
-/// unloaded sheet stays unloaded. Angles are taken between -pi and pi; a fold that passes pi makes the energy
-/// jump.
+/// sheets bend: the curvature along the sides follows from the dihedral angles around (SideCurvature). The
+/// rest lengths of the arcs are computed from the curvature of the rest shape in the same manner, also beside
+/// cracks: an unloaded sheet stays unloaded. Angles are taken between -pi and pi; a fold that passes pi makes
+/// the energy jump.
 class ArcMembrane : public Energy {
   public:
-    /// The shell must outlive this object. mirrors: continue the sheet as they do for coupled hinges.
+    /// The shell must outlive this object. mirrors: they continue the sheet, as they do for coupled hinges.
     ArcMembrane(const Shell& shell, const std::vector<MirrorHinge>& mirrors);
     ArcMembrane(const ArcMembrane&) = delete;  // members refer to each other
-    /// Measures strain from the shape x instead of the rest shape, and multiplies the energy, until the
-    /// shell changes.
+    /// Measures strain from the shape x instead of the rest shape, and multiplies the energy by `scale`,
+    /// until the shell changes.
     void start_from(const Positions& x, double scale);
 
     /// Green strain of each face, [3, F]: (00, 11, 2 * 01) in the face's rest frame.
@@ -41,7 +41,7 @@ class ArcMembrane : public Energy {
     void measure_from_rest();
     TrianglePositions corners(const Positions& x, std::size_t face) const;
     std::vector<ArcGradient> gradients(const Positions& x, const VectorXd& angles) const;  ///< [F]
-    /// The derivative of the energy by the angles of all folds, N m.
+    /// The derivative of the energy by the angles of all folds, N m. of_faces: gradients().
     VectorXd moments(const std::vector<ArcGradient>& of_faces) const;
 
     const Shell& shell;

@@ -24,7 +24,7 @@ struct MembraneElements {
     }
 };
 
-/// Membrane energy of all triangles of a shell, which must outlive this object.
+/// Membrane energy of all triangles of a shell. The list of triangles must outlive this object.
 class MembraneEnergy : public ElementEnergy<MembraneElements> {
   public:
     explicit MembraneEnergy(const std::vector<TriangleStencil>& triangles) : ElementEnergy({&triangles}) {}

@@ -20,7 +20,7 @@ void SideCurvature::update(Index face, int side) {
         const auto both = *patches.sides_of(fold - folds.folds_of_edges());
         first = both[0];
         const TriangleEdge& other = both[both[0].triangle == face ? 1 : 0];
-        if (other.triangle < face) {  // both triangles have the same curvature, and the other is up to date
+        if (other.triangle < face) {  // both triangles have the same curvature, and `other` is up to date
             sides[face][side] = sides[other.triangle][other.corner];
             return;
         }

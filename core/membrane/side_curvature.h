@@ -8,10 +8,10 @@
 
 namespace sherd {
 
-/// The curvature of a shell along the sides of its triangles, from the angles of the folds around: that of
-/// the quadratic surface which fits the angles of the side's patch best (least squares). Both triangles at an
-/// edge have the same curvature. Folds that are turned by more than 45 degrees at rest are creases between
-/// smooth parts: each part is measured by itself.
+/// The curvature of a shell along the sides of its triangles, from the angles of the folds around: the
+/// curvature of the quadratic surface that fits the angles of the folds in the side's patch best (least
+/// squares). Both triangles at an edge have the same curvature. Folds that are turned by more than 45 degrees
+/// at rest are creases between smooth parts: each part is measured by itself.
 class SideCurvature {
   public:
     /// Shell and folds must outlive this object.
@@ -21,9 +21,10 @@ class SideCurvature {
     /// computed again.
     void follow(const ShellChange& change);
 
-    /// Terms of a side's curvature; weights in 1/m.
+    /// Folds with their weights, 1/m: the curvature along a side is the sum of these weights times the folds'
+    /// angles.
     std::span<const Patches::Share> shares(std::size_t face, int side) const { return sides[face][side]; }
-    /// The curvature along the sides of a face, [3] 1/m. angles: of all folds, rad.
+    /// The curvature along the sides of a face, [3] 1/m. angles: angles of all folds, rad.
     Vector3d of(std::size_t face, const VectorXd& angles) const;
 
     void visit_state(StateVisitor& visit) {
@@ -37,7 +38,7 @@ class SideCurvature {
     const Shell& shell;
     const Folds& folds;
     Patches patches;
-    std::vector<std::array<std::vector<Patches::Share>, 3>> sides;  ///< [F]
+    std::vector<std::array<std::vector<Patches::Share>, 3>> sides;  ///< [F] terms of each side
 };
 
 }  // namespace sherd

@@ -24,7 +24,8 @@ struct FaceFieldChoice {
 /// thickness t the strain is linear (Kirchhoff), so that the stress is
 ///     S = C (E - t/2 k) at the top and S = C (E + t/2 k) at the bottom
 /// with the material's plane-stress elasticity C in the face's frame. S is the second Piola-Kirchhoff stress,
-/// force over area at rest in directions that turn with the face; while strains are small it is the true one.
+/// force over area at rest in directions that turn with the face; while strains are small it is the true
+/// stress.
 struct FaceState {
     Vector3d curvature;        ///< k, the change of curvature, 1/m: (00, 11, 2 * 01)
     Vector3d membrane_strain;  ///< E, Green strain of the middle surface: (00, 11, 2 * 01)
@@ -32,12 +33,12 @@ struct FaceState {
     Vector3d stress_bottom;    ///< Pa
 };
 
-/// strain: the face's Green strain; curvature: its change of curvature.
+/// Returns the state of a face. strain: its Green strain; curvature: its change of curvature, 1/m.
 FaceState face_state(const Shell& shell, Index face, const Vector3d& strain, const Vector3d& curvature);
 
-/// Green strain of all faces by their corners at x [3, V] m, [3, F].
+/// Green strain of all faces, [3, F], from their corners at x [3, V] m.
 Eigen::Matrix3Xd green_strains(const Shell& shell, const Positions& x);
-/// Variants for some faces, [3, faces].
+/// Green strain of some faces, with a column for each of them.
 Eigen::Matrix3Xd green_strains(const Shell& shell, const Positions& x, std::span<const Index> faces);
 
 /// Strains and stresses (FaceState) of all faces, [3, F] each; fields that are not chosen are empty.
@@ -72,17 +73,18 @@ void visit_fields(F& fields, Visit visit) {
           Meaning{"Pa", "second Piola-Kirchhoff stress in the same axes at the opposite surface", false});
 }
 
-/// strains, curvatures: of all faces (ShellEnergies::face_strains(), face_curvatures()), [3, F].
+/// Returns the chosen fields. strains, curvatures: [3, F], ShellEnergies::face_strains() and
+/// face_curvatures().
 FaceFields face_fields(const Shell& shell, const Eigen::Matrix3Xd& strains,
                        const Eigen::Matrix3Xd& curvatures, const FaceFieldChoice& choice);
 
 /// The fields that are not empty.
 FaceFieldChoice choice_of(const FaceFields& fields);
 
-/// Principal values of each face's tensor, [2, F], the larger ones first. twice: see FieldMeaning.
+/// Principal values of each face's tensor, [2, F], the larger values first. twice: see FieldMeaning.
 Eigen::Matrix2Xd principal_values(const Eigen::Matrix3Xd& tensors, bool twice);
 
-/// The largest principal stress of each face over both surfaces, Pa, [F]: the most tensile one.
+/// The largest (most tensile) principal stress of each face at its two surfaces, Pa, [F].
 VectorXd largest_stress(const FaceFields& fields);
 
 /// The principal curvature of largest magnitude of each face, 1/m, signed, [F].
@@ -92,7 +94,7 @@ VectorXd largest_curvature(const FaceFields& fields);
 struct FieldPeak {
     double value = 0;
     Index face = 0;
-    bool top = false;  ///< whether at the top; of stress alone
+    bool top = false;  ///< whether the value is at the top; only for stress
 };
 
 /// The largest of largest_stress(). There must be a face with stress.

@@ -30,7 +30,7 @@ void append(Positions& columns, std::span<const IndexWithParents> inserted) {
 }
 
 void follow(Positions& of_vertices, const ShellChange& change) {
-    std::vector<Vector3d> moved;  // from the values of the parents before the change
+    std::vector<Vector3d> moved;  // computed from the parents' values before the change
     for (const IndexWithParents& vertex : change.moved)
         moved.push_back(mean_column(vertex.parents, of_vertices));
     append(of_vertices, change.vertices);
@@ -45,7 +45,7 @@ void append(VectorXd& values, std::span<const IndexWithParents> inserted) {
 }
 
 void follow_around(std::vector<double>& of_edges, const ShellChange& change, double missing) {
-    std::vector<double> crossing;  // from the values before the change
+    std::vector<double> crossing;  // computed from the values before the change
     for (const auto& [edge, around] : change.crossing) {
         double sum = 0;
         int count = 0;

@@ -9,18 +9,18 @@
 
 namespace sherd {
 
-/// Rule by which a new element inherits a list-valued attribute of its parents. Positions and numbers are
-/// always the mean of the parents by weight.
+/// Rule by which a new element inherits an attribute that is a std::vector. Attributes that are Eigen arrays
+/// (Positions and VectorXd) are always the weighted mean of the parents' values.
 enum class Inheritance {
-    common,  ///< the parents' value if all have the same
+    common,  ///< the parents' value if all parents have the same value
     first,   ///< the value of the first parent
-    copies,  ///< the value of the parent, of copies only
-    around,  ///< copies as above, and other edges the mean of the edges around them: see follow_around()
+    copies,  ///< copies (elements with a single parent) get the parent's value
+    around,  ///< copies get the parent's value, other edges a mean: see follow_around()
     none     ///< nothing: the code that makes the change sets the value
 };
 
-/// Appends the values that new elements inherit to an array of columns, or of numbers; zero for an element
-/// without parents.
+/// Appends the values of new elements to an array of columns, or of numbers: the weighted mean of the
+/// parents' values, and zero for an element without parents.
 void append(Positions& columns, std::span<const IndexWithParents> inserted);
 void append(VectorXd& values, std::span<const IndexWithParents> inserted);
 
@@ -31,8 +31,9 @@ void follow(Positions& of_vertices, const ShellChange& change);
 /// Gives moved vertices the mean of their parents' values.
 void follow_moves(VectorXd& of_vertices, std::span<const IndexWithParents> moved);
 
-/// Lets numbers of edges follow a change: copies have their parent's, and edges across old faces the mean of
-/// the finite ones of the edges around these; `missing` if there is none.
+/// Lets a list with a number for each edge follow a change. A copy gets its parent's number. An edge across
+/// old faces gets the mean of the finite numbers of the edges around these faces, or `missing` if none of
+/// them is finite.
 void follow_around(std::vector<double>& of_edges, const ShellChange& change, double missing);
 
 /// Appends the values of new elements to a list by `rule`; `missing` for an element that inherits nothing.

@@ -5,8 +5,8 @@
 
 namespace sherd {
 
-/// Mean length of edges at rest, m, an edge counted once for each of its triangles; infinite if there are
-/// none.
+/// Mean length of edges at rest, m, an edge counted once for each of its triangles; infinite if there are no
+/// triangles.
 double mean_edge_length(const Shell& shell);
 
 }  // namespace sherd

@@ -7,11 +7,12 @@
 namespace sherd {
 namespace {
 
-/// Momentum of some vertices: sums about a reference point, and the spin about their centre of mass.
+/// Momentum of some vertices: sums about a reference point, and the angular momentum about their centre of
+/// mass.
 struct Momentum {
-    double mass = 0;
-    Vector3d moment = Vector3d::Zero();  ///< first moment, kg m
-    Vector3d linear = Vector3d::Zero(), angular = Vector3d::Zero();
+    double mass = 0;                                                 ///< kg
+    Vector3d moment = Vector3d::Zero();                              ///< kg m, first moment of mass
+    Vector3d linear = Vector3d::Zero(), angular = Vector3d::Zero();  ///< kg m/s; kg m^2/s
 
     void add(double of_vertex, const Vector3d& arm, const Vector3d& velocity) {
         mass += of_vertex;
@@ -20,7 +21,7 @@ struct Momentum {
         angular += of_vertex * arm.cross(velocity);
     }
     Vector3d centre() const { return moment / mass; }
-    Vector3d spin() const { return angular - centre().cross(linear); }  ///< kg m^2/s
+    Vector3d spin() const { return angular - centre().cross(linear); }  ///< kg m^2/s, about the centre
 };
 
 /// Angular velocity of a body of this inertia and angular momentum, rad/s; zero about axes without inertia.
@@ -35,7 +36,8 @@ Vector3d spin_of(const Matrix3d& inertia, const Vector3d& angular) {
     return principal.eigenvectors() * spin;
 }
 
-/// The rigid motion of a patch that has a momentum about its centre of mass `middle`.
+/// The rigid motion with which a patch has the momentum `linear`, and `angular` about its centre of mass
+/// `middle`.
 struct RigidMotion {
     Vector3d middle, velocity, spin;
 

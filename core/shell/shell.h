@@ -27,10 +27,11 @@ struct HingeStencil {
     double stiffness;  ///< lambda, N m
 };
 
-/// The directions in which a support holds a vertex and no earlier support does.
+/// The directions in which a support holds a vertex, without the directions in which an earlier support holds
+/// it.
 struct SupportDirections {
     Index support;        ///< number of a pin, clamp or symmetry plane
-    Matrix3d directions;  ///< a projection
+    Matrix3d directions;  ///< projection on these directions
 
     bool operator==(const SupportDirections&) const = default;
 };
@@ -38,7 +39,7 @@ struct SupportDirections {
 /// Two vertices whose elements repel each other only below a distance.
 struct NearVertices {
     std::array<Index, 2> vertices;  ///< ascending
-    double reach;                   ///< m
+    double reach;                   ///< m, this distance
 
     auto operator<=>(const NearVertices&) const = default;
 };
@@ -56,8 +57,9 @@ struct StartDepth {
 };
 
 /// The mechanics of the shell (all sheets of a simulation), as arrays and index stencils. The owner of the
-/// topology appends or renumbers vertices, edges and faces; nothing here refers to a mesh. Each of their
-/// attributes is also listed in visit_vertices(), visit_edges() or visit_faces(), and nowhere else.
+/// topology appends or renumbers vertices, edges and faces; nothing here refers to a mesh. Each attribute of
+/// vertices, edges and faces is also listed in visit_vertices(), visit_edges() or visit_faces(), and nowhere
+/// else.
 struct Shell {
     Positions rest;             ///< [3, V] m
     Positions position;         ///< [3, V] m
@@ -74,13 +76,13 @@ struct Shell {
     std::vector<Index> support_set;
     /// [V] number of the sheet that the vertex belongs to, also after breaking.
     std::vector<Index> vertex_sheet;
-    /// [V] 1 where remeshing must not move the vertex, besides those held and cracked.
+    /// [V] 1 where remeshing must not move the vertex; held vertices and vertices of cracks stay in any case.
     std::vector<char> kept;
 
     std::vector<TriangleStencil> triangles;  ///< [F]
     std::vector<double> face_mass;           ///< [F] kg
     std::vector<Index> face_sheet;           ///< [F] number of the sheet that the face belongs to
-    /// [F] first material axis at rest, in the face's plane; zero where nothing depends on it.
+    /// [F] first material axis at rest, in the face's plane; zero where no property depends on the direction.
     std::vector<Vector3d> face_axis;
 
     std::vector<Index> edge_hinge;       ///< [E] number of the edge's hinge, -1 when it has none
@@ -93,22 +95,23 @@ struct Shell {
     std::vector<HingeStencil> hinges;  ///< [H]
     std::vector<Index> hinge_edge;     ///< [H] edge of each hinge
 
-    /// Exempt pairs of vertices, ascending. Elements that contain one vertex each do not collide in
-    /// SheetContact, since the vertices coincide at a crack that has just opened, or their faces cross since
-    /// the start.
+    /// Exempt pairs of vertices, ascending. Two elements that each contain one vertex of a pair do not
+    /// collide in SheetContact, since the vertices coincide at a crack that has just opened, or faces at the
+    /// vertices have crossed since the start.
     std::vector<std::array<Index, 2>> exempt_pairs;
-    /// Pairs that are nearer, since the start, than others may come; ascending.
+    /// Vertex pairs of faces that have been nearer to each other since the start than other faces may come;
+    /// ascending.
     std::vector<NearVertices> near;
     /// Overlaps with each obstacle, then with each free body; empty: there are none.
     std::vector<StartDepth> start_depths;
-    std::vector<CrackFaceStencil> crack_faces;  ///< crack faces of these cracks
-    std::vector<Matrix3d> guides;               ///< projections to the free directions: a plane, or a line
+    std::vector<CrackFaceStencil> crack_faces;  ///< crack faces that have just opened
+    std::vector<Matrix3d> guides;               ///< projections on the free directions: a plane, or a line
     std::vector<Motion> motions;                ///< prescribed motions of vertices, from their rest positions
-    /// Supports that together hold a vertex, for reactions.
+    /// Sets of supports that together hold a vertex, for reactions.
     std::vector<std::vector<SupportDirections>> support_sets;
     bool uneven = false;  ///< whether the thickness of a sheet differs from place to place
 
-    /// Supports are given at the start, and no part of the state.
+    /// Supports are given at the start, and are not part of the state.
     void visit_state(StateVisitor& visit);
 };
 
@@ -160,9 +163,8 @@ void visit_faces(S& shell, Visit visit) {
 void resize_vertices(Shell& shell, Index count);
 
 /// Applies a change to all attributes of elements. Moved vertices get their parents' rest position, position
-/// and velocity, and an uneven thickness.
-/// The code that makes the change sets masses, footprints and the shape of elements that are new, changed or
-/// lost a part, and appends hinges.
+/// and velocity, and an uneven thickness. The code that makes the change sets masses, footprints and the
+/// shape of elements that are new or changed or have lost a part, and appends hinges.
 void follow(Shell& shell, const ShellChange& change);
 
 /// Removes the hinge of an edge. The last hinge takes its number, which is returned.

@@ -5,8 +5,8 @@
 
 namespace sherd {
 
-/// Thickness, m, of an edge, a triangle or a hinge by its vertices: their mean. In sheets of one thickness it
-/// is that of the first one, from which the others differ by round-off.
+/// Thickness, m, of an edge, a triangle or a hinge by its vertices: their mean. If no sheet is uneven, it is
+/// the first vertex's thickness, from which the other thicknesses differ by round-off.
 template <std::size_t N>
 double mean_thickness(const Shell& shell, const std::array<Index, N>& vertices) {
     const double first = shell.thickness[vertices[0]];

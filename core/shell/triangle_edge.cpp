@@ -54,7 +54,8 @@ std::vector<std::array<TriangleEdge, 2>> sides_of_hinges(const Shell& shell) {
 
 std::vector<std::array<TriangleEdge, 2>> sides_of_hinges(const Shell& shell, std::span<const Index> hinges,
                                                          std::span<const Index> triangles) {
-    // The sides by the vertices that they run from and to, which no two triangles have in common.
+    // Each side, with the vertices that it runs from and to. No two sides of triangles run from the same
+    // vertex to the same vertex.
     std::vector<std::tuple<Index, Index, TriangleEdge>> sides;
     for (const Index t : triangles)
         for (int corner = 0; corner < 3; ++corner) {

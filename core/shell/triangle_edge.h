@@ -21,18 +21,18 @@ inline std::array<Index, 3> edge_and_apex(const Shell& shell, const TriangleEdge
     return {v[(side.corner + 1) % 3], v[(side.corner + 2) % 3], v[side.corner]};
 }
 
-/// The sides on the boundary whose two ends are selected (one flag for each vertex), ordered by triangle and
-/// corner.
+/// The sides on the boundary whose two ends are selected, ordered by triangle and corner. selected: [V]
+/// flags.
 std::vector<TriangleEdge> boundary_triangle_edges(const Shell& shell, std::span<const char> selected);
 
-/// The sides to which a change turns a side of a triangle: one, or two where it was split, in its direction;
-/// none where its edge was flipped.
+/// The sides that a side of a triangle has become after a change: one side, or, if it was split, two sides in
+/// its direction; none if its edge was flipped.
 std::vector<TriangleEdge> sides_after(const Shell& shell, const ShellChange& change,
                                       const TriangleEdge& side);
 
 /// The two sides that each hinge joins, [H]: of T0, then of T1 (HingePositions).
 std::vector<std::array<TriangleEdge, 2>> sides_of_hinges(const Shell& shell);
-/// The two sides that each of some hinges joins, which must be sides of the given triangles.
+/// The two sides that each of `hinges` joins; all of them must be sides of the given triangles.
 std::vector<std::array<TriangleEdge, 2>> sides_of_hinges(const Shell& shell, std::span<const Index> hinges,
                                                          std::span<const Index> triangles);
 

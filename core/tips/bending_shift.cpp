@@ -18,7 +18,7 @@ Index number_in(const std::vector<Index>& sorted, Index value) {
     return static_cast<Index>(std::ranges::lower_bound(sorted, value) - sorted.begin());
 }
 
-/// The sides that a fold joins; a mirror has one.
+/// The sides that a fold joins; for a mirror, its only side.
 std::vector<TriangleEdge> sides_of(const CoupledBending& bending, Index fold) {
     const Folds& folds = bending.all_folds();
     if (fold < folds.folds_of_edges()) return {folds.mirror_side(fold)};
@@ -44,7 +44,7 @@ void add_fold(const Shell& shell, const CoupledBending& bending, Index fold, She
     const Index of_edges = bending.all_folds().folds_of_edges();
     if (fold < of_edges) {
         auto [face, corner] = bending.all_folds().mirror_side(fold);
-        // The only condition on the plane is that it contains the side.
+        // Any plane that contains the side serves as the mirror's plane.
         part.mirrors.push_back(clamp_hinge(part.shell, {number_in(part.faces, face), corner}, 0));
         return;
     }
@@ -55,12 +55,13 @@ void add_fold(const Shell& shell, const CoupledBending& bending, Index fold, She
     part.shell.hinges.push_back(hinge);
 }
 
-/// Step of the differences over the square root of the smallest face's area: errors of differencing and of
-/// round-off are both far below those of the mesh.
+/// Step of the numerical differences, over the square root of the smallest face's area: the errors of
+/// differencing and of round-off are both far below the error of the mesh.
 constexpr double difference = 1e-5;
 
-/// Contribution of a face to S, by the folds of the shell in this order; nothing if it depends on other
-/// folds. number: of a term's fold in the shell. rigidity: CoupledBending::rigidity().
+/// Contribution of a face to S, N m, with a row and a column for each of `folds`; nothing if the face depends
+/// on other folds. number(fold): number in the shell of the fold of a term; rigidity:
+/// CoupledBending::rigidity() of the face.
 template <class Number>
 std::optional<Eigen::MatrixXd> stiffness_of(std::span<const FaceCurvature::Term> terms, Number number,
                                             const Matrix3d& rigidity, const std::vector<Index>& folds) {
@@ -151,7 +152,7 @@ TipShift tip_shift(const Shell& shell, const VertexFaces& around, const CrackTip
 BendingShift::BendingShift(const Shell& shell, const VertexFaces& around, const CoupledBending& bending,
                            TipShift moving)
     : shell(shell), bending(bending), shift(std::move(moving)) {
-    // The curvature of a face depends on the folds of its patches, and these on the triangles across.
+    // The curvature of a face depends on the folds of its patches, and these folds on triangles across them.
     for (const Index face : faces_near(shell, around, shift.vertices, 3)) add_if_affected(face);
     for (const AffectedFace& face : affected) folds.insert(folds.end(), face.folds.begin(), face.folds.end());
     make_unique(folds);
@@ -198,8 +199,8 @@ void BendingShift::differentiate(int axis) {
         auto& [face, of_face, stiffening] = affected[i];
         const auto here = stiffness_of(bending.face_curvature().terms(face), std::identity(),
                                        bending.rigidity(face), of_face);
-        // Where the next triangles are about to join a patch, the difference is taken on the side where they
-        // do not.
+        // If an advance in one direction makes further triangles join a patch, so that a face depends on
+        // other folds, the difference is taken in the other direction alone.
         const auto &to = ahead[i] ? ahead[i] : here, &from = behind[i] ? behind[i] : here;
         stiffening[axis] = (*to - *from) / (ahead[i] && behind[i] ? 2 * length : length);
     }
@@ -223,7 +224,7 @@ Vector2d BendingShift::turned_folds(const Positions& x, const Matrix3d& turn, co
     const Folds& all = bending.all_folds();
     Vector2d sum = Vector2d::Zero();
     for (const Index fold : moved) {
-        // The mirror image moves along, so that at rest the angle stays zero.
+        // The mirror image moves along with its triangle, so that the angle at rest does not change.
         const bool mirrored = fold < all.folds_of_edges();
         const std::array<Index, 4> vertices = all.vertices(fold);
         const HingePositions now = mirrored ? all.slopes(x, std::span(&fold, 1))[fold].gradient

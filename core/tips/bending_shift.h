@@ -19,35 +19,37 @@ struct ShellPart {
     std::vector<Index> folds;     ///< [mirrors + E] numbers in the whole shell, mirrors first
 };
 
-/// The part that has these folds, and all faces on either side of them.
+/// The part that has these folds, and all faces that they join.
 ShellPart shell_part(const Shell& shell, const CoupledBending& bending, std::span<const Index> folds);
 
 /// Sets the rest positions of the part, [3, V] m: areas and frames follow, and each face's elasticity keeps
 /// its direction in the sheet.
 void move_rest(ShellPart& part, const Positions& rest);
 
-/// Virtual advance of a crack in the rest shape: the tip and its first rings move, each vertex in its own
-/// tangent plane, the same way. The field of advance is 1 there, 0 outside, and linear in the faces between.
+/// Virtual advance of a crack in the rest shape: the tip and its first rings move by the same distance, each
+/// vertex in its own tangent plane. The field of advance is 1 at these vertices, 0 at all others, and linear
+/// in the faces between.
 struct TipShift {
     Index tip;
     std::vector<Index> vertices;  ///< by ascending number
-    /// [vertices] displacement for each metre of advance: a column for the tip's direction, and one to its
-    /// left.
+    /// [vertices] displacement for each metre of advance: a column for an advance in the tip's direction,
+    /// then a column for an advance to its left.
     std::vector<Eigen::Matrix<double, 3, 2>> by;
 
-    /// The number of a vertex in the list, -1 if it stays.
+    /// Index of a vertex in `vertices`; -1 if the vertex stays.
     Index find(Index vertex) const;
 };
 
-/// Virtual advance of the tip with its first `rings` rings, at most those that it has. The tip's axes are
-/// turned into the tangent plane of each vertex by the smallest rotation.
+/// Virtual advance of the tip with its first `rings` rings, or with all of its rings if it has fewer. The
+/// tip's axes are turned into the tangent plane of each vertex by the smallest rotation.
 TipShift tip_shift(const Shell& shell, const VertexFaces& around, const CrackTip& tip, int rings);
 
 /// Dependence of the energy of coupled hinges, 1/2 dtheta^T S dtheta, on the rest positions of a crack's tip
-/// and its rings: through S, and through the angles at rest and now, since the vertices take their
-/// displacements along. The derivative of S is computed once, by central differences over the faces whose
-/// curvature depends on these vertices, and the derivative of the angles in closed form; the sums are then
-/// quadratic in the changes of angles.
+/// and its rings. The energy depends on them through S, and through the angles at rest and now, since the
+/// displacements of the vertices are kept when their rest positions move. The derivative of S is computed
+/// once, by central differences over the faces whose curvature depends on these vertices; the derivatives of
+/// the angles are computed in closed form. Given these, the force is a sum that is quadratic in the changes
+/// of angles.
 class BendingShift {
   public:
     /// Shell and bending must outlive this object, which must be replaced when they change near the tip.
@@ -65,24 +67,26 @@ class BendingShift {
     struct AffectedFace {
         Index face;
         std::vector<Index> folds;  ///< folds on which its curvature depends
-        /// Derivative of its contribution to S by the two directions, N, [folds, folds].
+        /// Derivatives, N, of its contribution to S, [folds, folds], by an advance in each of the two
+        /// directions.
         std::array<Eigen::MatrixXd, 2> stiffening;
     };
     bool moves(Index fold) const;      ///< whether a vertex of the fold moves
     void add_if_affected(Index face);  ///< adds the face if one of its folds moves
-    /// Contribution of each seen face to S once the tip has advanced by `length` m along an axis; nothing
-    /// where the face then depends on other folds.
+    /// Contribution of each affected face to S once the tip has advanced by `length` m along an axis; nothing
+    /// for a face that then depends on other folds.
     std::vector<std::optional<Eigen::MatrixXd>> advanced_stiffness(ShellPart part, int axis,
                                                                    double length) const;
     void differentiate(int axis);
-    /// Sum of moments times derivatives of angles: of the present angles less those at rest, N.
+    /// Sum, N, over the moved folds, of a fold's moment times the derivative, by the advance, of its present
+    /// angle less that of its rest angle.
     Vector2d turned_folds(const Positions& x, const Matrix3d& turn, const VectorXd& moments) const;
 
     const Shell& shell;
     const CoupledBending& bending;
     TipShift shift;
     std::vector<AffectedFace> affected;
-    std::vector<Index> folds;  ///< folds of all seen faces
+    std::vector<Index> folds;  ///< folds of all affected faces
     std::vector<Index> moved;  ///< folds with a vertex that moves
 };
 

@@ -7,7 +7,8 @@
 namespace sherd {
 namespace {
 
-/// Shares of the force that the tip alone shows, on meshes of all sizes: the elements near it are too stiff.
+/// Shares of the exact force that result if the tip moves without rings, on meshes of all sizes: the elements
+/// near the tip are too stiff.
 constexpr double membrane_of_tip = 0.91, bending_of_tip = 0.96;
 
 }  // namespace
@@ -81,9 +82,9 @@ Vector2d TipForce::of_spread(const Positions& x, const Positions& forces, const 
     return sum;
 }
 
-// Work of a traction on the crack faces, which is constant along the first side and follows the
-// vertices' forces beyond it. The force on the tip does not show the traction, since the two faces' parts
-// cancel.
+// Contribution of the work of tractions on the crack faces. The traction is taken as constant along the side
+// next to the tip, and beyond it follows from the forces on vertices. The force on the tip does not show the
+// traction, since the contributions of the two crack faces to it cancel.
 Vector2d TipForce::of_crack_faces(const Positions& x, const Positions& forces, const Matrix3d& turn) const {
     Vector2d sum = Vector2d::Zero();
     for (const std::vector<Index>& crack_face : crack_faces)

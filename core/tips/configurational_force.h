@@ -10,40 +10,41 @@ namespace sherd {
 
 /// The configurational force on the tip of a crack and its rings: the energy released for each metre of
 /// advance, N, along the tip's direction and to its left. It is minus the derivative of the elastic energy by
-/// the rest positions of these vertices (Eshelby, The force on an elastic singularity, 1951), which take
-/// their displacements along, measured in a frame that turns with the sheet at the tip.
+/// the rest positions of these vertices (Eshelby, The force on an elastic singularity, 1951), while their
+/// displacements, measured in a frame that turns with the sheet at the tip, are kept.
 struct ConfigurationalForce {
-    Vector2d membrane = Vector2d::Zero();
-    Vector2d bending = Vector2d::Zero();
-    /// Contribution of loads and inertia on the rings.
+    Vector2d membrane = Vector2d::Zero();  ///< N, part of the membrane
+    Vector2d bending = Vector2d::Zero();   ///< N, part of bending
+    /// Part of loads and inertia on the rings, N.
     Vector2d loads = Vector2d::Zero();
     int rings = 0;  ///< number of rings that moved with the tip
 
     Vector2d sum() const { return membrane + bending + loads; }
-    /// The sum; without rings the membrane's part is divided by 0.91 and the bending's by 0.96, the shares
-    /// that the tip alone shows.
+    /// Returns the sum. If no rings have moved with the tip, the membrane's part is divided by 0.91 and the
+    /// part of bending by 0.96: without rings only these shares of the exact force result.
     Vector2d corrected() const;
-    /// Energy release, J/m, to be compared with fracture energy G_c times thickness: the length of the sum,
-    /// which is right on zigzag paths, too. On a straight path the first component is the release of straight
-    /// propagation.
+    /// Energy release, J/m, to be compared with the fracture energy G_c times the thickness: the length of
+    /// corrected(), which is right on zigzag paths, too. On a straight path the first component of
+    /// corrected() is the release by straight propagation.
     double released() const { return corrected().norm(); }
 };
 
 /// The elastic energies of the sheet.
 struct TipEnergies {
-    const CoupledBending* bending = nullptr;  ///< null: hinges, coupled or not, have no part in the force
+    const CoupledBending* bending = nullptr;  ///< null: bending has no part in the force
     MembraneModel membrane = MembraneModel::constant_strain;
 };
 
-/// Forces on the vertices other than elastic ones, N, [3, V]; with 0 columns there are none.
+/// Forces on the vertices other than elastic forces, N, [3, V]; without columns: no such forces.
 struct TipLoads {
-    Positions spread = Positions(3, 0);  ///< on faces: pressure, weight, wind; less mass times acceleration
+    Positions spread = Positions(3, 0);  ///< on faces: pressure, weight and wind, less mass times
+                                         ///< acceleration
     Positions on_crack_faces =
         Positions(3, 0);  ///< on crack faces: contact between them, and cohesive forces
 };
 
-/// Energy release rates at a tip. Terms that depend on the rest shape alone are computed once: the object
-/// must be replaced when the tip, its rings or hinges within four edges of them have changed.
+/// Computes the configurational force on a tip. Terms that depend on the rest shape alone are computed once:
+/// the object must be replaced when the tip, its rings or hinges within four edges of them have changed.
 class TipForce {
   public:
     /// Shell, around and bending must outlive this object. Throws std::invalid_argument for a membrane of
@@ -51,7 +52,7 @@ class TipForce {
     TipForce(const Shell& shell, const VertexFaces& around, const TipEnergies& energies, const CrackTip& tip,
              int most_rings = 2);
 
-    /// Force at x, [3, V] m, a solution under these loads.
+    /// Returns the force at x, [3, V] m, which must be a solution under these loads.
     ConfigurationalForce at(const Positions& x, const TipLoads& loads = {}) const;
 
   private:

@@ -37,8 +37,8 @@ class HoopStress {
     ModePair membrane, plate;
 };
 
-/// Angle of the largest value between two angles of a function that has one maximum there, by golden
-/// sections.
+/// Angle between `low` and `high` at which a function is largest, by golden sections. The function must have
+/// a single maximum there.
 template <class F>
 double angle_of_largest(const F& value, double low, double high) {
     constexpr double golden = std::numbers::phi - 1;

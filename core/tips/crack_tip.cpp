@@ -32,7 +32,8 @@ std::vector<Index> boundary_neighbours(const Shell& shell, const VertexFaces& ar
     return once;
 }
 
-/// Rings 0 to `most` at most, all nearer to the tip than any foreign vertex but the tip itself.
+/// The rings 0 to `most` of a tip, as far as they are nearer to the tip than any foreign vertex. The tip
+/// itself does not count as foreign.
 std::vector<std::vector<Index>> rings_around(const Shell& shell, const VertexFaces& around, Index vertex,
                                              std::span<const char> foreign, int most) {
     std::vector<std::vector<Index>> rings{{vertex}};

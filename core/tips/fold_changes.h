@@ -8,7 +8,8 @@
 
 namespace sherd {
 
-/// CoupledBending::changes() of some folds, rad; the entries of other folds are undefined.
+/// Changes of the angles of some folds from their rest angles, rad, [folds of the shell]; zero for other
+/// folds.
 inline VectorXd changes_of(const CoupledBending& bending, const Positions& x, std::span<const Index> folds) {
     VectorXd changes = bending.all_folds().angles(x, folds);
     for (const Index fold : folds)

@@ -13,7 +13,8 @@ constexpr double pi = std::numbers::pi;
 
 }  // namespace
 
-// Muskhelishvili's functions, with the same Phi above and below the crack's line:
+// Muskhelishvili's functions, with the same Phi above and below the crack's line (a star denotes the complex
+// conjugate):
 //     s11 + s22 = 4 Re Phi(z),    s22 - i s12 = Phi(z) + Phi(z*) + (z - z*) Phi'(z)*
 //     2 mu d(u + iv)/dx = kappa Phi(z) - Phi(z*) - (z - z*) Phi'(z)*
 MembraneField membrane_field(const PlaneStress& material, const ModePair& factors, const Vector2d& at) {

@@ -6,15 +6,15 @@
 namespace sherd {
 
 // Fields of an isotropic sheet near the tip of a straight crack that lies on the negative first axis, in the
-// plane of the sheet. Angles are counted from the first axis to the second; positive factors of the second
-// mode shear the side of the second axis forward, and turn the crack clockwise.
+// plane of the sheet. Angles are counted from the first axis to the second; a positive factor of the second
+// mode shears the half with positive second coordinate forward, and turns the crack clockwise.
 
 /// Young's modulus, Pa, and Poisson's ratio.
 struct PlaneStress {
     double young = 0, poisson = 0;
 };
 
-/// Stress intensity factors of the opening mode and of shear.
+/// Stress intensity factors of the opening mode (first) and of shear (second), Pa m^0.5.
 struct ModePair {
     double first = 0, second = 0;
 };
@@ -27,11 +27,11 @@ struct MembraneField {
 };
 
 /// Near-tip field of the membrane (Williams, On the stress distribution at the base of a stationary crack,
-/// 1957). factors: K_I and K_II, Pa m^0.5: the stresses 11 and 01 ahead of the crack are K / sqrt(2 pi r).
-/// at: m, not zero.
+/// 1957). factors: K_I and K_II; the stresses 11 and 01 ahead of the crack are K_I / sqrt(2 pi r) and K_II /
+/// sqrt(2 pi r). at: position, m, not zero.
 MembraneField membrane_field(const PlaneStress& material, const ModePair& factors, const Vector2d& at);
 
-/// The plate without shear (Kirchhoff).
+/// Bending of the plate, without transverse shear (Kirchhoff).
 struct PlateField {
     Vector3d curvature;  ///< 1/m, (00, 11, 2 * 01)
     double along_slope;  ///< derivative of the deflection along the first axis
@@ -39,8 +39,8 @@ struct PlateField {
 
 /// Near-tip field of the plate (Williams, The bending stress distribution at the base of a stationary crack,
 /// 1961; factors as in Hui and Zehnder, A theory for the fracture of thin plates subjected to bending and
-/// twisting moments, 1993). factors: k_1 and k_2, Pa m^0.5: at the surface that a positive curvature
-/// stretches, the bending stress 11 ahead of the crack is k_1 / sqrt(2 r). thickness: m. at: m, not zero.
+/// twisting moments, 1993). factors: k_1 and k_2; at the surface that a positive curvature stretches, the
+/// bending stress 11 ahead of the crack is k_1 / sqrt(2 r). thickness: m; at: position, m, not zero.
 PlateField plate_field(const PlaneStress& material, double thickness, const ModePair& factors,
                        const Vector2d& at);
 

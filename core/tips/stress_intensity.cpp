@@ -49,7 +49,7 @@ FaceAtTip face_at_tip(const Shell& shell, const CrackTip& tip, Index face) {
     return at;
 }
 
-/// A symmetric tensor of components (00, 11, 01).
+/// The symmetric tensor with the components (00, 11, 01).
 Eigen::Matrix2d full(const Vector3d& tensor) {
     Eigen::Matrix2d matrix;
     matrix << tensor[0], tensor[2], tensor[2], tensor[1];
@@ -73,11 +73,11 @@ Vector2d ring_gradient(const FaceAtTip& at, const std::array<Index, 3>& vertices
     return sum;
 }
 
-/// Gradient and second derivatives of a smooth field about the tip: 1 up to a third of `reach` (m), 0 beyond
-/// `reach`.
+/// Gradient and second derivatives of a smooth field about the tip: the field is 1 up to a third of `reach`
+/// (m) from the tip, and 0 beyond `reach`.
 struct SmoothField {
-    Vector2d slope;
-    Eigen::Matrix2d bend;
+    Vector2d slope;        ///< 1/m
+    Eigen::Matrix2d bend;  ///< 1/m^2
 };
 
 SmoothField smooth_field(const Vector2d& at, double reach) {
@@ -110,8 +110,8 @@ struct StretchedFace {
     Vector2d along_gradient;  ///< derivative of the displacement along the crack
 };
 
-/// turn: rotation from rest to x at the tip. The rotation of the rest shape between tip and face is no
-/// displacement.
+/// turn: rotation from rest to x at the tip. The rotation between the tangent plane at the tip and the face
+/// at rest is taken out, since it is no displacement.
 StretchedFace stretched_face(const Shell& shell, const CrackTip& tip, Index face, const Positions& x,
                              const Matrix3d& turn) {
     const auto& [vertices, membrane] = shell.triangles[face];
@@ -126,7 +126,8 @@ StretchedFace stretched_face(const Shell& shell, const CrackTip& tip, Index face
     return at;
 }
 
-/// Interaction of the face's fields with those of a mode, Pa/m. slope: gradient of the field of advance, 1/m.
+/// Interaction of the face's fields with the fields of a mode, Pa/m. slope: gradient of the field of advance,
+/// 1/m.
 double interaction(const StretchedFace& at, const MembraneField& mode, const Vector2d& slope) {
     const Vector2d carried = at.stress * mode.along_gradient + full(mode.stress) * at.along_gradient;
     return carried.dot(slope) - at.stress.cwiseProduct(full_strain(mode.strain)).sum() * slope.x();
@@ -141,7 +142,7 @@ struct BentFace {
     double along_slope;         ///< derivative of the deflection along the crack
 };
 
-/// changes: changes of all folds' angles, rad.
+/// turn: rotation from rest to x at the tip; changes: changes of all folds' angles, rad.
 BentFace bent_face(const Shell& shell, const CoupledBending& bending, const CrackTip& tip, Index face,
                    const Positions& x, const Matrix3d& turn, const VectorXd& changes) {
     BentFace at{face_at_tip(shell, tip, face), {}, {}, {}, 0};
@@ -156,10 +157,10 @@ BentFace bent_face(const Shell& shell, const CoupledBending& bending, const Crac
     return at;
 }
 
-/// Interaction of the face's bending with that of a mode, Pa.
+/// Interaction of the face's bending with the bending of a mode, Pa.
 double interaction(const BentFace& at, const PlateField& mode, const SmoothField& field) {
     const Eigen::Matrix2d curvature = full_strain(mode.curvature),
-                          moment = full(at.rigidity * mode.curvature);  // an isotropic sheet has no axes
+                          moment = full(at.rigidity * mode.curvature);  // isotropic: equal in all axes
     const Vector2d carried = 2 * (at.moment * curvature.col(0) + moment * at.curvature.col(0));
     return carried.dot(field.slope) - at.moment.cwiseProduct(curvature).sum() * field.slope.x() +
            (mode.along_slope * at.moment + at.along_slope * moment).cwiseProduct(field.bend).sum();

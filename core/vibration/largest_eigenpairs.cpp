@@ -15,11 +15,12 @@ using Eigen::MatrixXd;
 
 constexpr double tolerance = 1e-11;  // largest residual over the eigenvalue
 constexpr Eigen::Index max_restarts = 2000;
-constexpr Eigen::Index least_basis = 20;   // vectors of a Krylov basis, if the space has so many
+constexpr Eigen::Index least_basis = 20;   // vectors of a Krylov basis, if the space is so large
 constexpr double distinct = 1 + 1e-9;      // ratio from which on eigenvalues count as distinct
 constexpr Eigen::Index count_of_more = 4;  // eigenvalues that are computed to see whether one was missed
 
-/// The map within the subspace orthogonal to some columns, with the interface that Spectra requires.
+/// The map within the subspace orthogonal to the columns of `without`, with the interface that Spectra
+/// requires.
 struct DeflatedMap {
     using Scalar = double;
 
@@ -51,7 +52,7 @@ Eigenpairs lanczos(DeflatedMap map, Eigen::Index count) {
     return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
-/// The `count` largest of both, in descending order.
+/// The `count` largest eigenpairs of `a` and `b` together, in descending order.
 Eigenpairs largest_of(const Eigenpairs& a, const Eigenpairs& b, Eigen::Index count) {
     VectorXd values(a.values.size() + b.values.size());
     values << a.values, b.values;
@@ -71,8 +72,8 @@ Eigenpairs largest_eigenpairs(const std::function<VectorXd(const VectorXd&)>& ma
     MatrixXd known = without;
     Eigenpairs found{VectorXd(0), MatrixXd(size, 0)};
     Eigen::Index wanted = count;
-    // The Krylov space of a start vector has only one eigenvector of each multiple eigenvalue. The complement
-    // of those found is therefore searched until it has no larger one.
+    // The Krylov space of a start vector has only one eigenvector of each multiple eigenvalue. The orthogonal
+    // complement of the eigenvectors found is therefore searched until it has no larger eigenvalue.
     for (;;) {
         wanted = std::min(wanted, rank + without.cols() - known.cols());
         if (wanted == 0) return found;

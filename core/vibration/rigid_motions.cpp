@@ -66,8 +66,8 @@ RigidColumns rows_of(const Columns& all, std::span<const Index> piece) {
     return some;
 }
 
-/// For each column of motions, times sqrt(m): its blocked part, and the force of the stiffness against the
-/// rest, over the largest such force.
+/// Returns, for each column of `motions` (displacements times sqrt(m)), the part that supports block, and the
+/// force with which the stiffness resists the other part, over `fastest` (free_rigid_motions()).
 std::array<RigidColumns, 2> resisted(const Shell& shell, const BlockMatrix& stiffness, double fastest,
                                      const RigidColumns& motions) {
     std::array<RigidColumns, 2> result{motions, motions};
@@ -85,8 +85,8 @@ std::array<RigidColumns, 2> resisted(const Shell& shell, const BlockMatrix& stif
     return result;
 }
 
-/// Round-off of a stiffness over the largest one: strain at rest is as exact as positions are compared with
-/// the edges.
+/// Round-off of a stiffness over the largest stiffness: the error of strain at rest is the error of positions
+/// over the length of edges.
 double round_off(const Shell& shell, const Positions& x) {
     double edges = 0;
     for (const TriangleStencil& triangle : shell.triangles)

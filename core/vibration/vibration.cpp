@@ -56,7 +56,7 @@ double slow_bending(const Shell& shell) {
         "vibration: the stiffness is not finite; sherd check warns of implausible materials and triangles");
 }
 
-/// K, and the factor of K + shift M.
+/// The stiffness K, and the factor of K + shift M with the masses M.
 class ShiftedStiffness {
   public:
     ShiftedStiffness(const Shell& shell, ShellEnergies& energies)
@@ -70,7 +70,8 @@ class ShiftedStiffness {
     const BlockMatrix& stiffness() const { return matrix; }
     double fastest_eigenvalue() const { return highest; }
 
-    /// Returns the shift, 1/s^2: the first of growing ones with which the matrix is positive definite.
+    /// Factorizes the matrix. Returns the shift, 1/s^2: the first of a growing sequence with which the matrix
+    /// is positive definite.
     double factorize() {
         const std::vector<double> unshifted(matrix.values().begin(), matrix.values().end());
         double shift = std::max(slow_bending(shell), 1e-14 * highest);
@@ -84,7 +85,7 @@ class ShiftedStiffness {
         refuse();
     }
 
-    /// sqrt(M) (K + shift M)^-1 sqrt(M), zero in blocked directions.
+    /// sqrt(M) (K + shift M)^-1 sqrt(M) y, zero in directions that supports block.
     VectorXd inverse(const VectorXd& y) const {
         Positions force = y.reshaped(3, shell.mass.size()) * shell.mass.cwiseSqrt().asDiagonal();
         constrain(shell, force);
@@ -116,7 +117,7 @@ class ShiftedStiffness {
     std::unique_ptr<LinearSolver> solver = cholesky_solver();
 };
 
-/// The displacement u of unit mass with sqrt(M) u = y.
+/// The displacements u with sqrt(M) u = y, with the sign that makes their largest coordinate positive.
 Positions shape_of(const Shell& shell, const VectorXd& y) {
     Positions shape = y.reshaped(3, shell.mass.size()) * shell.mass.cwiseSqrt().cwiseInverse().asDiagonal();
     constrain(shell, shape);
@@ -152,7 +153,7 @@ Vibration vibration(const Shell& shell, const ShellEnergyOptions& options, Index
     count = std::min(count, rank);
     if (count == 0) return result;
     const double shift = shifted.factorize();
-    // Scaled, so that no eigenvalue is tiny: Lanczos' method has absolute thresholds, too.
+    // The map is scaled, so that no eigenvalue is tiny: Lanczos' method has absolute thresholds, too.
     const auto map = [&](const VectorXd& y) -> VectorXd { return scale * shifted.inverse(y); };
     const Eigenpairs pairs = largest_eigenpairs(map, 3 * shell.mass.size(), rigid, rank, count);
     for (Eigen::Index i = 0; i < pairs.values.size(); ++i)

@@ -13,24 +13,27 @@ struct VibrationMode {
     Positions shape;        ///< [3, V] 1/sqrt(kg): sum of m |u|^2 is 1, the largest coordinate positive
 
     bool unstable() const { return eigenvalue < 0; }
-    double angular_frequency() const;  ///< omega, 1/s; 0 of an unstable mode
+    double angular_frequency() const;  ///< omega, 1/s; 0 for an unstable mode
     double frequency() const;          ///< Hz
-    double growth_rate() const;        ///< 1/s; 0 of a stable mode
+    double growth_rate() const;        ///< 1/s; 0 for a stable mode
 };
 
 struct Vibration {
-    std::vector<VibrationMode> modes;  ///< by eigenvalue, ascending; no rigid ones
+    std::vector<VibrationMode> modes;  ///< ascending by eigenvalue, without rigid motions
     Index rigid = 0;                   ///< number of rigid motions that nothing resists
-    Index freedoms = 0;  ///< coordinates that supports leave free: rigid motions and modes together
+    /// Number of coordinates that supports leave free: rigid motions and all modes together.
+    Index freedoms = 0;
 };
 
-/// The `count` slowest modes about the shell's positions, or as many as it has: K u = omega^2 M u with the
-/// exact Hessian K of elastic energies and loads, these at their full size, in the directions that pins and
-/// guides leave free, and with lumped masses M. Moving supports stand where they are at time 0. Wind, damping
-/// and the choice of a Jacobian have no part in it. Throws std::runtime_error when K is not finite.
+/// Returns the `count` slowest modes about the shell's positions, or all modes if there are fewer. They solve
+/// K u = omega^2 M u in the directions that pins and guides leave free, with the exact Hessian K of elastic
+/// energies and of loads at their full size, and with lumped masses M. Moving supports are at their places at
+/// time 0. Wind, damping and the choice of a Jacobian have no effect. Throws std::runtime_error if K is not
+/// finite, or if the search for modes does not converge.
 Vibration vibration(const Shell& shell, const ShellEnergyOptions& options, Index count);
 
-/// The share, 0 to 1, of a mode's kinetic energy that moves along the normals of the faces at x [3, V] m.
+/// The share, 0 to 1, of the kinetic energy of a mode, VibrationMode::shape, that is due to motion along the
+/// normals of the faces at x [3, V] m.
 double share_along_normals(const Shell& shell, const Positions& x, const Positions& shape);
 
 }  // namespace sherd

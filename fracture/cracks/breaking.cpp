@@ -8,7 +8,7 @@ namespace sherd {
 namespace {
 
 constexpr int rings = 2;
-constexpr double almost_one = 1 - 1e-9;  // factor that allows for round-off
+constexpr double almost_one = 1 - 1e-9;  // factor on a limit, which allows for round-off
 
 /// The end points of an edge and all vertices within two edges of them.
 std::vector<Vertex> neighbourhood(const Mesh& mesh, Edge edge) {
@@ -24,7 +24,8 @@ std::vector<Vertex> neighbourhood(const Mesh& mesh, Edge edge) {
     return vertices;
 }
 
-/// Whether an overload above `limit` is possible: a cheap test that excludes most edges.
+/// Whether the overload of the hinge of `edge` may exceed `limit`: a cheap test that excludes most edges.
+/// crack_tips: see overload().
 bool may_exceed(const BreakableShell& shell, const HingeMeasures& measures, Edge edge, bool crack_tips,
                 double limit) {
     const double factor = crack_tips ? std::min(1.0, shell.crack_tip_factor(edge)) : 1;

@@ -10,30 +10,34 @@
 namespace sherd {
 namespace {
 
-/// Time constant of the mean release, in edges at the speed limit: stress varies by a factor of four while an
-/// edge opens.
+/// Time constant of the mean release (GrowingTip::release), given by the number of edges that a tip passes in
+/// this time at its speed limit. A mean is needed since stress varies by a factor of four while an edge
+/// opens.
 constexpr double edges_of_mean = 3;
-/// Time constant of the mean release that is mostly residual stress, in thicknesses at the speed limit:
-/// residual stress does not vary so, and relaxes around the path of a tip in this time. Branches driven by it
-/// may branch again once they are this far apart.
+/// Time constant of the mean release of a tip that is driven mostly by residual stress, given by the
+/// distance, in thicknesses, that the tip advances in this time at its speed limit. Residual stress varies
+/// less while an edge opens, and relaxes around the path of a tip in this time. Two branches that residual
+/// stress drives may branch again once they are this distance apart.
 constexpr double thicknesses_of_mean = 0.5;
-/// Mean of G over G_c above which a tip branches: twice what it needs. By stress this is twice 0.7, the mean
-/// of a tip that just keeps propagating: stress falls when an edge opens, and rises until the next one does.
+/// Mean of G / G_c above which a tip branches: twice the mean of a tip that just keeps propagating. That mean
+/// is 1 if the load follows from energy. It is 0.7 if the load follows from stress, which falls when an edge
+/// opens and rises until the next edge opens.
 constexpr double exceeds_by_energy = 2, exceeds_by_stress = 1.4;
-/// Share of the speed limit above which a tip counts as running at it: its speed fluctuates, since edges
-/// differ and time advances in steps.
+/// Share of the speed limit above which a tip counts as running at its limit: the speed fluctuates, since
+/// edges differ in length and time advances in steps.
 constexpr double share_of_limit = 0.8;
-/// Angle between either branch and the crack's direction, rad.
+/// Angle between the crack's direction and each of its two branches, rad.
 constexpr double branch_angle = 25 * std::numbers::pi / 180;
-/// Distances between branches, in edges: below the first they propagate together, below the second they do
-/// not branch again. A tip slows down where it branches, and its load is too large until it runs again.
+/// Distances between two branches, in edge lengths: below coupled_edges they propagate together, and below
+/// edges_between they do not branch again, since a tip slows down where it branches, and its load is too
+/// large until it runs again.
 constexpr double coupled_edges = 3, edges_between = 8;
 
 bool is_driven_by_residual(const TipLoad& load) {
     return load.residual > 0.5;
 }
 
-/// The other branch of a tip if it is nearer than `apart` (m, at rest); else null.
+/// The other branch of a tip, if its distance at rest is less than `apart` (m); else null.
 const GrowingTip* branch_within(double apart, const BreakableShell& shell, const GrowingTip& tip,
                                 std::span<const GrowingTip> all) {
     if (tip.other_branch < 0) return nullptr;

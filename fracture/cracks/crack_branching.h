@@ -10,13 +10,14 @@
 namespace sherd {
 
 // A tip that runs at its speed limit with a release rate of twice the fracture energy branches: it propagates
-// in two directions at once. From then on there are two tips, branches of one another. While they are within
-// a few edges of each other, the mesh does not resolve which has the larger load, and chance would decide,
-// since the first to propagate unloads the other. So branches that are near each other propagate together, by
-// the root mean square of their intensities, or not at all.
+// in two directions at once. From then on there are two tips, its branches. While the two are within a few
+// edges of each other, the mesh does not resolve which of them has the larger load, and chance would decide,
+// since the branch that propagates first unloads the other. Branches that are near each other therefore
+// propagate together, if the root mean square of their ratios of intensity to toughness exceeds 1, or not at
+// all.
 
-/// Updates the mean release of a tip with its load during the last `waited` s. intensity_ratio: intensity
-/// over toughness.
+/// Updates the mean release of a tip (GrowingTip::release) with the load that it has borne during the last
+/// `waited` s. intensity_ratio: intensity of the load over toughness.
 void update_mean_release(const BreakableShell& shell, GrowingTip& tip, const TipLoad& load,
                          double intensity_ratio, double waited);
 
@@ -24,12 +25,13 @@ void update_mean_release(const BreakableShell& shell, GrowingTip& tip, const Tip
 bool branches(const BreakableShell& shell, const GrowingTip& tip, const TipLoad& load,
               std::span<const GrowingTip> all, double time);
 
-/// The directions of the two branches of a tip, unit vectors in the tangent plane on either side of
+/// The directions of the two branches of a tip, unit vectors in the tangent plane, one on each side of
 /// `direction`.
 std::array<Vector3d, 2> branch_directions(const BreakableShell& shell, const GrowingTip& tip,
                                           const Vector3d& direction);
 
-/// The other branch of a tip, one of `all`, while both propagate together; else null.
+/// The other branch of a tip, an element of `all`, while the two are so near each other that they propagate
+/// together; else null.
 const GrowingTip* near_branch(const BreakableShell& shell, const GrowingTip& tip,
                               std::span<const GrowingTip> all);
 

@@ -14,12 +14,12 @@
 namespace sherd {
 namespace {
 
-/// Cosine of the largest angle, 78 degrees, between an edge and the direction: with less a structured mesh
-/// has no edge at all in some directions.
+/// Cosine of the largest angle, 78 degrees, between an edge and the direction in which a tip propagates along
+/// it. With a smaller angle, a structured mesh would have no edge at all in some directions.
 constexpr double least_progress = 0.2;
-/// Distance, in edges, below which only the more overloaded of two tips propagates at a time.
+/// Distance, in edge lengths, below which only the more overloaded of two tips propagates at a time.
 constexpr double apart_edges = 2;
-/// Least intensity over toughness for a tip to be recorded.
+/// Smallest ratio of intensity to toughness at which a tip is recorded.
 constexpr double least_recorded = 0.1;
 
 }  // namespace
@@ -112,7 +112,8 @@ GrowingTip CrackGrowth::moved(const GrowingTip& tip, const Vector3d& direction, 
     next.stride = way.dot(direction);
     const double limit = shell.toughness_at(tip.vertex).speed_limit;
     if (timeless) return next;
-    // The tip starts within the step: if it started with the step, its speed would jump.
+    // The tip begins its edge when it is ready, within the step: if it always began with the step, its speed
+    // would jump.
     next.since = std::max(tip.ready, begin);
     next.before = tip.stride > 0 ? tip.stride / (next.since - tip.since) : limit;
     next.ready = next.since + next.stride / limit;
@@ -144,7 +145,7 @@ std::optional<CrackStep> CrackGrowth::along_edges(const Overloaded& one, double 
 CrackStep CrackGrowth::along_ray(const Overloaded& one) const {
     const GrowingTip& tip = all[one.tip];
     const Vector3d normal = rest_normal_at(shell, Vertex(tip.vertex));
-    // Leads back to the path where the last edge missed it.
+    // Where the last edge missed the path, the ray leads back to it.
     const Vector3d aim =
         tip.on_path + edge_length_ahead(shell, tip) * one.direction - shell.mechanics().rest.col(tip.vertex);
     const Vector3d ray = (aim - normal * normal.dot(aim)).normalized();
@@ -181,7 +182,7 @@ std::optional<CrackStep> CrackGrowth::step_of(const Overloaded& one, double begi
 std::vector<CrackStep> CrackGrowth::next(const CrackEvaluation& now) {
     std::vector<CrackStep> steps;
     if (!is_needed) return steps;
-    // Nucleation comes first: its edge belongs to the mesh before any insertion.
+    // Nucleation comes first, since its edge is an edge of the mesh before edges are inserted in it.
     if (const std::optional<Edge> inserted = nucleation.next(now.strains, now.measures, all, now.waited))
         steps.push_back({{}, *inserted});
     evaluate_tips(now);
@@ -234,10 +235,11 @@ void CrackGrowth::done(std::span<const CrackStep> steps, double end) {
         const double ready = end + (timeless ? 0 : 0.5 * way.norm() / limit);
         for (const auto& [at, direction] : {std::pair(a, Vector3d(-way)), std::pair(b, way)}) {
             add_tip(at, direction, edge, ready);
-            all.back().since = end - (timeless ? 0 : 0.5 * way.norm() / limit);  // began in the middle
+            // The crack began in the middle of its first edge.
+            all.back().since = end - (timeless ? 0 : 0.5 * way.norm() / limit);
         }
     }
-    // A tip that has reached the boundary or another crack is a tip no longer.
+    // A tip that has reached the boundary or another crack is no longer a tip.
     std::erase_if(all, [&](const GrowingTip& tip) { return !shell.cracks().is_tip(Vertex(tip.vertex)); });
     mesh_changed();
 }

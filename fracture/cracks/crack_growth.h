@@ -10,61 +10,65 @@
 
 namespace sherd {
 
-/// The state that cracks are evaluated in: a solution of the sheets in a step from `begin` to `end` (s).
+/// State in which cracks are evaluated: a solution of the sheets in a time step.
 struct CrackEvaluation {
     const FaceStrains& strains;
     const HingeMeasures& measures;
-    double begin, end;
-    double waited;  ///< s, time since the last evaluation that counts towards nucleation
-    /// Empty where tips are evaluated by stress: see load_by_stress().
+    double begin, end;  ///< s, beginning and end of the time step
+    double waited;      ///< s, time for which this state counts in nucleation and in means; 0 if the step was
+                        ///< evaluated before
+    /// State from which the loads on tips are computed by energy; if empty, they are computed by stress: see
+    /// load_by_stress().
     std::optional<Equilibrium> equilibrium;
-    /// Whether a cohesive force still holds a failed edge.
+    /// Returns whether a cohesive force still acts on a failed edge.
     std::function<bool(Index edge)> is_opening;
 };
 
 /// An edge by which a crack nucleates or propagates.
 struct CrackStep {
     std::optional<std::size_t> tip;   ///< index into tips(); none: nucleation
-    Edge edge = {};                   ///< invalid: to be inserted along the ray
-    Vector3d ray = Vector3d::Zero();  ///< unit vector from the tip's vertex
+    Edge edge = {};                   ///< edge that fails; invalid: it must be inserted along the ray first
+    Vector3d ray = Vector3d::Zero();  ///< unit vector of the ray, which begins at the tip's vertex
     GrowingTip next = {};             ///< the tip after this step
-    bool is_branch = false;           ///< whether this is the second branch of the tip, with a new tip
+    bool is_branch = false;           ///< whether this step makes the second branch of the tip, a new tip
 };
 
 /// The cracks of sheets that have a toughness: where they nucleate (CrackNucleation) and propagate.
 ///
-/// A tip propagates where its stress intensity exceeds the toughness, by the energy that it releases
-/// (TipEnergy) or by the stress ahead of it (load_by_stress()); not faster than the speed limit, not before
-/// the edge behind it has opened, and in two directions where it branches (branches()). It follows an edge
-/// that is inserted along its path, or the edge nearest to the path (CrackPath), and remembers by how much an
-/// edge misses the path.
+/// A tip propagates where its stress intensity exceeds the toughness. The intensity follows from the energy
+/// that the tip releases (TipEnergy) or from the stress ahead of it (load_by_stress()). A tip does not
+/// propagate faster than the speed limit, nor before the edge behind it has opened; where it branches
+/// (branches()), it propagates in two directions. It advances along an edge that is inserted on its path, or
+/// along the existing edge nearest to the path (CrackPath), and stores where the exact path is beside its
+/// vertex (GrowingTip::on_path).
 class CrackGrowth {
   public:
-    /// The shell must outlive this object. timeless: whether cracks take no time, as in statics.
+    /// The shell must outlive this object. timeless: whether cracks propagate in no time, as in statics.
     CrackGrowth(const BreakableShell& shell, MembraneModel membrane, bool timeless);
 
     /// Whether a sheet has a toughness.
     bool needed() const { return is_needed; }
 
-    /// The next edges of all cracks: at most one nucleation, and one edge for each tip, or two where it
-    /// branches. Tips that meet may have the same edge.
+    /// Returns the next edges of all cracks: at most one nucleation, one edge for each tip that propagates,
+    /// and two for a tip that branches. Tips that meet may get the same edge.
     std::vector<CrackStep> next(const CrackEvaluation& now);
-    /// Enters the edge that has been inserted for `step`, in a time step that began at `begin` (s). Returns
-    /// false if its tip cannot propagate along it.
+    /// Completes `step` with the edge `made`, which has been inserted along its ray in a time step that began
+    /// at `begin` (s). Returns false if the tip cannot propagate along this edge.
     bool take(const BreakableShell::Advanced& made, double begin, CrackStep& step) const;
-    /// Must be called when the edges of these steps have failed, and the mesh has opened, at the end of a
-    /// step (s).
+    /// Must be called when the edges of these steps have failed and the mesh has opened. end: s, end of the
+    /// time step.
     void done(std::span<const CrackStep> steps, double end);
-    /// Must be called when the mesh has changed otherwise.
+    /// Must be called when the mesh has changed for another reason than the steps passed to done().
     void mesh_changed() {
         if (is_needed) energy.mesh_changed(all);
     }
 
     const std::vector<GrowingTip>& tips() const { return all; }
-    /// Records of the tips whose load is not negligible, as of their last evaluation, without step and time.
-    /// x: [3, V] m.
+    /// Returns records of the tips whose load was not negligible when they were last evaluated.
+    /// TipRecord::step and TipRecord::time are not set. x: [3, V] m, positions; time: s, for the speeds of
+    /// tips.
     std::vector<TipRecord> records(const Positions& x, double time) const;
-    /// The energy of tips is not stored: it follows from the mesh.
+    /// Member `energy` is not stored: it follows from the mesh.
     void visit_state(StateVisitor& visit) {
         auto& [shell, timeless, is_needed, nucleation, energy, all, evaluated, numbers] = *this;
         visit(nucleation, all, evaluated, numbers);
@@ -77,7 +81,7 @@ class CrackGrowth {
         Index number;  ///< GrowingTip::number
         TipLoad load;
         double ratio;   ///< intensity over toughness
-        bool is_ready;  ///< whether it may propagate
+        bool is_ready;  ///< whether the tip may propagate now
     };
     struct Overloaded {
         std::size_t tip;
@@ -86,24 +90,26 @@ class CrackGrowth {
     };
     TipLoad load(const GrowingTip& tip, const CrackEvaluation& now);
     void evaluate_tips(const CrackEvaluation& now);
-    /// Intensity over toughness of a tip that may propagate, the root mean square with that of a near branch;
-    /// else 0.
+    /// Intensity over toughness of a tip; if a branch is near (near_branch()), the root mean square of both
+    /// tips' ratios. Returns 0 if one of these tips may not propagate. tip: index into tips().
     double joint_ratio(std::size_t tip) const;
-    /// The tips that propagate, the most overloaded first, without those near to a more overloaded one.
+    /// The tips that propagate, the most overloaded first. A tip near a more overloaded one is left out,
+    /// unless the two are branches of one tip.
     std::vector<Overloaded> overloaded() const;
-    /// The directions in which a tip propagates at `end` (s): two where it branches. Branching starts a path
-    /// for each branch and resets the mean release.
+    /// Returns the directions in which a tip propagates in a step that ends at `end` (s): two if it branches.
+    /// Then a new path begins at the tip's vertex, and its mean release is reset.
     std::vector<Vector3d> directions_of(const Overloaded& one, double end);
-    /// The step of a tip that propagates, as its sheet's CrackPath says.
+    /// The step of a tip that propagates: along_edges() or along_ray(), by its sheet's CrackPath.
     std::optional<CrackStep> step_of(const Overloaded& one, double begin) const;
-    /// The step along the edge nearest to the path of a tip; nothing where there is none.
+    /// The step along the edge nearest to the path of a tip; nothing if no edge leads ahead.
     std::optional<CrackStep> along_edges(const Overloaded& one, double begin) const;
     CrackStep along_ray(const Overloaded& one) const;
-    /// The tip after it has propagated in `direction` along `edge`, whose other end is `to`.
+    /// The tip after it has propagated in `direction` along `edge`, whose other end is `to`, in a time step
+    /// that began at `begin` (s).
     GrowingTip moved(const GrowingTip& tip, const Vector3d& direction, Edge edge, Index to,
                      double begin) const;
     void add_tip(Vertex vertex, const Vector3d& direction, Edge behind, double ready);
-    /// Adds the second branch of a tip.
+    /// Adds the second branch of a tip. tip: its state, with the number of the first branch.
     void add_branch(GrowingTip tip);
     /// Adds the tips of existing cracks, each directed away from its crack.
     void find_tips();
@@ -114,7 +120,7 @@ class CrackGrowth {
     TipEnergy energy;
     std::vector<GrowingTip> all;
     std::vector<EvaluatedTip> evaluated;
-    Index numbers = 0;  ///< count of all tips so far
+    Index numbers = 0;  ///< number of tips that have existed so far
 };
 
 }  // namespace sherd

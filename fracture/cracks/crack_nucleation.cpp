@@ -8,11 +8,14 @@
 namespace sherd {
 namespace {
 
-/// Distance from a tip, in thicknesses and in edges, within which no crack nucleates.
+/// Distances from a tip, in thicknesses and in edge lengths, of which the larger is the radius in which no
+/// crack nucleates.
 constexpr double quiet_thicknesses = 4, quiet_edges = 2.5;
-/// Share of the principal tension that in any mesh acts across at least one edge.
+/// In any mesh, at least this share of the principal tension acts across one of the edges around a point.
+/// Edges with a smaller tension across them therefore need not be tested for the principal tension.
 constexpr double least_share = 0.5;
-/// Time for nucleation over that of a crack at its speed limit across the thickness.
+/// Time for nucleation at twice the strength, over the time in which a crack at its speed limit crosses the
+/// thickness.
 constexpr double delay = 2;
 
 double mean_edge(const Shell& shell, Index face) {

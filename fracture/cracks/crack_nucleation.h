@@ -8,15 +8,16 @@
 
 namespace sherd {
 
-/// Nucleation of cracks in sheets that have a toughness: at a hinge that has been above its strength for as
-/// long as a crack needs to cross the thickness, and never near a tip.
+/// Nucleation of cracks in sheets that have a toughness. A crack nucleates at a hinge that has been loaded
+/// above its strength for long enough: at twice the strength this is twice the time in which a crack crosses
+/// the thickness. No crack nucleates near a tip.
 class CrackNucleation {
   public:
     /// The shell must outlive this object. timeless: whether nucleation takes no time, as in statics.
     CrackNucleation(const BreakableShell& shell, bool timeless) : shell(shell), timeless(timeless) {}
 
-    /// The edge at which a crack nucleates now; of several the one with the largest tension across it.
-    /// waited: s, time since the last call that counts towards nucleation.
+    /// Returns the edge at which a crack nucleates now, if there is one; of several such edges, the one with
+    /// the largest tension across it. waited: s, see CrackEvaluation.
     std::optional<Edge> next(const FaceStrains& strains, const HingeMeasures& measures,
                              std::span<const GrowingTip> tips, double waited);
 
@@ -26,15 +27,17 @@ class CrackNucleation {
     }
 
   private:
-    /// Stress over strength for nucleation at a hinge: inside a sheet by the principal tension, since the
-    /// crack may start across it along another edge; at crack faces and rims, or where strength depends on
-    /// the direction, by the tension across the edge.
+    /// Stress over strength for nucleation at the hinge of `edge`. Inside a sheet the stress is the principal
+    /// tension, since the crack may continue along another edge, at right angles to this tension. At crack
+    /// faces and rims, or where strength depends on the direction, the stress is the tension across the edge,
+    /// whose ratio to the strength is `across`.
     double ratio(const FaceStrains& strains, double across, Edge edge) const;
     bool near_a_tip(Edge edge, std::span<const GrowingTip> tips) const;
 
     const BreakableShell& shell;
     bool timeless;
-    std::vector<double> exposure;  ///< [E] s: time above the strength, times the excess squared
+    std::vector<double> exposure;  ///< [E] s, integral of (ratio() - 1)^2 over the time for which the hinge
+                                   ///< has been above its strength without interruption
 };
 
 }  // namespace sherd

@@ -12,20 +12,21 @@
 namespace sherd {
 namespace {
 
-/// Energy per metre that a freed end of a strip releases, over S^2 t^2 (1 - nu^2) / Y.
+/// Energy that a freed end of a strip releases per metre of its width, over S^2 t^2 (1 - nu^2) / Y.
 constexpr double released_by_end = 0.0368;
-/// Distance from a crack, in reaches, beyond which no energy has been released.
+/// Distance from a crack, in multiples of ResidualStress::reach, beyond which its release of energy is
+/// neglected.
 constexpr double far = 5;
-/// Distance between sample points beside a piece, in reaches.
+/// Largest distance between sample points beside a crack piece, in multiples of ResidualStress::reach.
 constexpr double fineness = 0.1;
-/// Tolerance, in lengths of a line, within which lines that touch at an end do not cross.
+/// Tolerance of crossings, as a share of the lengths of the two lines: a line that begins on the other one
+/// does not cross it, and a crossing may lie just beyond the other line's ends.
 constexpr double touch = 1e-6;
 
-/// Distance of a point from a piece, infinite if its projection is not on the piece, and the piece's
-/// direction.
+/// A crack piece as seen from a point beside it.
 struct Beside {
-    double distance;  ///< m
-    Vector3d along;   ///< unit vector
+    double distance;  ///< m, from the point; infinite if the point's projection is not on the piece
+    Vector3d along;   ///< unit vector along the piece
 };
 
 Beside beside(const Vector3d& point, const CrackPiece& piece) {
@@ -35,8 +36,8 @@ Beside beside(const Vector3d& point, const CrackPiece& piece) {
     return {(away - share * way).norm(), way / length};
 }
 
-/// Share of `way` at which the line from `from` along it crosses a piece, in the plane of the given normal;
-/// infinite where it does not.
+/// Share of `way` at which the line from `from` to from + way crosses a piece, in the projection on the plane
+/// of the given normal; infinite if it does not cross the piece.
 double crossing(const Vector3d& from, const Vector3d& way, const CrackPiece& piece, const Vector3d& normal) {
     const Vector3d side = piece.to - piece.from, to = piece.from - from;
     const double both = normal.dot(way.cross(side));
@@ -45,13 +46,15 @@ double crossing(const Vector3d& from, const Vector3d& way, const CrackPiece& pie
     return meets ? share : std::numeric_limits<double>::infinity();
 }
 
-/// Shares of the energy at a point that cracks have released, for each range of directions.
+/// Shares of the residual energy at a point that the cracks around it have released, sorted into ranges of
+/// the cracks' directions. Of each range the largest share counts.
 class Freed {
   public:
     explicit Freed(double reach) : reach(reach) { along.fill(Vector3d::Zero()); }
 
     double of(const Beside& crack) const { return std::exp(-crack.distance / reach); }
-    /// Index of the direction's range of 15 degrees, counted from `first` about the normal.
+    /// Index of the range of 15 degrees to which the direction `along` belongs, counted from `first` about
+    /// the normal. Opposite directions belong to the same range.
     static std::size_t direction(const Vector3d& along, const Vector3d& first, const Vector3d& normal) {
         const double angle = std::atan2(normal.dot(first.cross(along)), first.dot(along)) / std::numbers::pi;
         return static_cast<std::size_t>((angle - std::floor(angle)) * directions) % directions;
@@ -62,7 +65,7 @@ class Freed {
         share[direction] = freed;
         along[direction] = crack.along;
     }
-    /// The sum with one more crack.
+    /// The share released by all cracks and by one more crack.
     double with(const Beside& crack) const {
         double most = 0;
         for (std::size_t i = 0; i < directions; ++i)
@@ -79,7 +82,8 @@ class Freed {
 
   private:
     static constexpr std::size_t directions = 12;
-    /// The sum of two shares, of the smaller one only the part across the other crack.
+    /// The share that two cracks release together: the larger of their shares, and of the smaller share the
+    /// part that is due to stress along the other crack.
     static double pair(double a, const Vector3d& along_a, double b, const Vector3d& along_b) {
         const double cosine = along_a.dot(along_b);
         return std::max(a, b) + std::min(a, b) * (1 - cosine * cosine);
@@ -90,15 +94,15 @@ class Freed {
     std::array<Vector3d, directions> along;
 };
 
-/// Cracks and ends of the sheet around a place.
+/// Cracks and ends of the sheet around a point, as pieces of straight lines, and the sheet's normal there.
 struct Surroundings {
     Vector3d normal = Vector3d::Zero();
     std::vector<CrackPiece> cracks;
     std::vector<CrackPiece> ends;  ///< cracks and the outline of the sheet
 };
 
-/// The faces connected with those around a vertex, but not across cracks, that have a corner within `reach`
-/// (m) of it.
+/// The faces around a vertex, their neighbours, the neighbours of these, and so on, as long as a face has a
+/// corner within `reach` (m) of the vertex. Faces on the two sides of an open crack are no neighbours.
 std::vector<Index> faces_within(const BreakableShell& shell, Vertex from, double reach) {
     const Mesh& mesh = shell.mesh();
     const Shell& mechanics = shell.mechanics();
@@ -136,7 +140,7 @@ Surroundings surroundings(const BreakableShell& shell, Vertex from, double reach
     return around;
 }
 
-/// Share of a path that lies within the sheet.
+/// Share of the path from `from` to from + way that lies before the first end of the sheet.
 double way_within(const Surroundings& around, const Vector3d& from, const Vector3d& way) {
     double share = 1;
     for (const CrackPiece& end : around.ends)
@@ -144,8 +148,8 @@ double way_within(const Surroundings& around, const Vector3d& from, const Vector
     return share;
 }
 
-/// Integral of the share that a piece releases, m, along the line across the piece from one of its points to
-/// one side.
+/// Integral, m, of the share that a piece releases in addition to existing cracks, along the line from its
+/// point `point` at right angles to it. side: 1 or -1, for the side of the piece on which the line runs.
 double freed_across(const Surroundings& around, const Vector3d& point, const CrackPiece& piece, double side,
                     double reach) {
     const Vector3d along = (piece.to - piece.from).normalized();

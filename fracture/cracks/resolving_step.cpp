@@ -12,7 +12,7 @@ struct EdgeLengths {
     double count = 0;
 };
 
-/// Lengths of all sides of the faces of each sheet that has a toughness.
+/// Lengths of all sides of faces, for each sheet that has a toughness, by the sheet's number.
 std::map<Index, EdgeLengths> tough_edges(const BreakableShell& shell) {
     std::map<Index, EdgeLengths> lengths;
     for (std::size_t f = 0; f < shell.face_sheet().size(); ++f) {

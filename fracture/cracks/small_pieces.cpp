@@ -6,8 +6,8 @@
 namespace sherd {
 namespace {
 
-/// Whether the faces connected with `from` other than across `edge` form a piece of less than `area` (m^2)
-/// that `edge` alone connects with `other`.
+/// Whether `edge` alone connects the face `other` with a piece of less than `area` (m^2) at rest. The piece
+/// has all faces that are connected with `from` otherwise than across `edge` or the edges marked in `failed`.
 bool is_small_piece(const BreakableShell& shell, Edge edge, Face from, Face other, double area,
                     std::span<const char> failed) {
     const Mesh& mesh = shell.mesh();

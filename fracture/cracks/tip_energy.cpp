@@ -10,20 +10,20 @@
 namespace sherd {
 namespace {
 
-constexpr int rings_for_plate = 2;  // with fewer, k_1 and k_2 mean nothing
-/// Number of vertices along which a crack is followed: farther than the rings of its tip reach.
+constexpr int rings_for_plate = 2;  // with fewer rings around the tip, k_1 and k_2 are meaningless
+/// Number of vertex pairs along which a crack is followed from its tip: more than the tip has rings.
 constexpr int followed = 8;
-/// Cosine of the largest angle at which the last edge counts as lying on the path.
+/// Cosine of the largest angle between path and last edge at which the edge counts as lying on the path.
 constexpr double straight = 0.996;
-/// Modes whose energy is more than this times the energy released, or less than its inverse, are not those of
-/// the tip.
+/// If the energy of the computed modes and the energy released differ by more than this factor, the modes do
+/// not describe the tip.
 constexpr double most_of_modes = 1.5;
 
-/// The vertex pairs of both faces of the crack that ends at a tip, in order from the tip, as long as both are
-/// copies of one vertex.
+/// Pairs of opposite vertices on the two faces of the crack that ends at a tip, in order from the tip, as
+/// long as the two vertices of a pair are copies of one vertex.
 std::vector<std::array<Vertex, 2>> crack_faces_of(const BreakableShell& shell, Vertex tip) {
     const Mesh& mesh = shell.mesh();
-    Halfedge to_tip;  // on the hole's side
+    Halfedge to_tip;  // border halfedge between the crack faces
     for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(tip)))
         if (mesh.is_border(h)) to_tip = h;
     std::vector<std::array<Vertex, 2>> crack_faces;
@@ -38,7 +38,8 @@ std::vector<std::array<Vertex, 2>> crack_faces_of(const BreakableShell& shell, V
     return crack_faces;
 }
 
-/// Ratio of the squared largest hoop stress to that released by straight propagation; at least 1.
+/// Ratio of the squared largest hoop stress of the modes to K_I^2 + K_II^2, to which the release by straight
+/// propagation is proportional; at least 1.
 double gain_by_turning(const ModePair& modes) {
     const double straight = modes.first * modes.first + modes.second * modes.second;
     if (!(straight > 0) || !(modes.first > 0)) return 1;
@@ -47,9 +48,10 @@ double gain_by_turning(const ModePair& modes) {
     return std::max(1.0, hoop * hoop / straight);
 }
 
-/// Whether a sheet is torn out of its plane, where the largest hoop stress does not give a crack's direction:
-/// it folds within the rings, so that the modes do not account for the energy of straight propagation,
-/// `energy` (J/m^2), or the shear across its plane, k_2, dominates.
+/// Whether a sheet is torn out of its plane, so that the largest hoop stress does not give a crack's
+/// direction. Then either the sheet folds within the rings, so that the modes do not account for the energy
+/// released by straight propagation, `energy` (J/m^2), or the mode k_2, shear across the sheet's plane,
+/// dominates.
 bool is_torn(const PlaneStress& material, const TipLoad& load, double energy) {
     const double modes = membrane_release(material, load.membrane) + plate_release(material, load.plate);
     return modes * most_of_modes < energy || modes > energy * most_of_modes ||
@@ -71,7 +73,7 @@ void TipEnergy::mesh_changed(std::span<const GrowingTip> tips) {
 std::vector<char> TipEnergy::foreign_to(Index vertex) const {
     std::vector<char> others = foreign;
     std::vector<std::array<Vertex, 2>> crack_faces = crack_faces_of(shell, Vertex(vertex));
-    // If the crack faces end early, the last pair is another tip, or the crack's mouth on the outer boundary.
+    // If there are fewer pairs, the last pair is another tip, or the crack's mouth on the outer boundary.
     if (static_cast<int>(crack_faces.size()) < followed && !crack_faces.empty()) crack_faces.pop_back();
     for (const auto& [a, b] : crack_faces) others[a] = others[b] = 0;
     others[vertex] = 0;

@@ -11,12 +11,14 @@
 namespace sherd {
 namespace {
 
-/// K = stress ahead sqrt(2 pi alpha h), with alpha measured with coupled hinges at 18 tips in bending.
+/// Factor in K = s sqrt(2 pi alpha h), with the stress s ahead of a tip and the length h of the edges there.
+/// It was measured at 18 tips in bending, with coupled hinges.
 constexpr double alpha = 0.49;
-/// Cosine of the largest angle, 72 degrees, between the direction and the centre of a face that is ahead.
+/// Cosine of the largest angle, 72 degrees, between a tip's direction and the line from the tip to the centre
+/// of a face that counts as ahead of it.
 constexpr double ahead = 0.3;
-/// Smallest radius, in thicknesses, of the path of tips that run or are in bending: else waves would make
-/// their paths snake, and the petals that rise behind them would make them curl.
+/// Smallest radius, in thicknesses, of the path of a tip that runs or is in bending. Without this limit waves
+/// would make the path snake, and the petals that rise behind the tip would make it curl.
 constexpr double radius_of_turns = 20;
 
 double poisson(const Shell& shell, Index face) {

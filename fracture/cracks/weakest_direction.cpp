@@ -11,7 +11,7 @@ namespace sherd {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr int farthest_kink = 75;  // degrees: beyond, the first-order release is off by a fifth and more
+constexpr int farthest_kink = 75;  // degrees; beyond it the first-order release is wrong by a fifth or more
 
 }  // namespace
 

@@ -86,8 +86,9 @@ void CrackMesh::follow(const TopologyChange& change) {
         if (is_cracked(vertex.element)) to_open.push_back(vertex.element);
 }
 
-// When an edge of a crack face is split, the half that still meets the opposite face keeps the common
-// original.
+// Must be called when an edge of a crack face has been split into two halves, of which `inserted` is the new
+// one. The half that still shares an end with the opposite crack face gets the original that the edges of
+// both crack faces have.
 void CrackMesh::share_origin(const WithParents<Edge>& inserted) {
     const Edge half = inserted.parent();
     const auto meets_other_crack_face = [&](Vertex end) {

@@ -11,7 +11,7 @@ namespace {
 struct HalfedgeLinks {
     Vertex target;
     Halfedge next;
-    Face face;  ///< invalid: a border
+    Face face;  ///< invalid: the halfedge is on a border
 };
 
 void visit_size(StateVisitor& visit, Mesh& mesh) {

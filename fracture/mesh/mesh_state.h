@@ -7,10 +7,10 @@
 namespace sherd {
 
 /// Visits a mesh: its connectivity by element numbers, its points, and its attributes. Throws
-/// std::logic_error if the mesh has removed elements, which no crack leaves.
+/// std::logic_error if the mesh has elements marked as removed; cracks leave no such elements.
 void visit_mesh(StateVisitor& visit, Mesh& mesh);
 
-/// Visits the lists of a look, of which equal values are stored once.
+/// Visits the attribute lists of a look. Materials and groups that several entries share are stored once.
 void visit_look(StateVisitor& visit, SurfaceLook& look);
 
 }  // namespace sherd

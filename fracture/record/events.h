@@ -10,7 +10,7 @@
 
 namespace sherd {
 
-/// An edge whose hinge failed. Edge and vertex numbers are those of the mesh at that moment and stay valid.
+/// An edge whose hinge failed. Edge and vertex numbers refer to the mesh at that moment and stay valid.
 struct EdgeFailure {
     double time = 0;  ///< s, end of the step in which it failed
     std::int64_t step = 0;
@@ -20,7 +20,7 @@ struct EdgeFailure {
     Index boundary_vertices = 0;      ///< 0, 1 or 2 for the paper's B0, B1 or B2 when it failed
     double strain = 0;                ///< 1/m, surface strain over half the thickness
     double stress = 0;                ///< Pa, surface stress
-    double overload = 0;              ///< measure over strength, above 1
+    double overload = 0;              ///< measure over strength; above 1 if the edge failed by strength
 };
 
 /// A failed edge that opened: `edge` stays with one face, `created` is the new edge of the other face.
@@ -52,11 +52,12 @@ struct VertexInsertion {
     double time = 0;
     std::int64_t step = 0;
     Index created = 0;
-    std::array<Index, 3> parents{};   ///< vertices between which it was inserted, as they were numbered then
-    std::array<double, 3> weights{};  ///< their shares at rest, which sum to 1; in an edge the last is 0
+    std::array<Index, 3> parents{};   ///< vertices between which it was inserted
+    std::array<double, 3> weights{};  ///< the parents' shares in its place at rest, which sum to 1; on an
+                                      ///< edge the last is 0
 };
 
-/// A face that was inserted when others were split: `parent` is the one that covers most of it.
+/// A face that was inserted when faces were split: `parent` is the split face that covered most of it.
 struct FaceInsertion {
     double time = 0;
     std::int64_t step = 0;
@@ -64,14 +65,15 @@ struct FaceInsertion {
     Index parent = 0;
 };
 
-/// A tip of a crack by toughness at the end of a step, as it was evaluated last.
+/// A crack tip in a sheet that has a toughness, at the end of a step. Its load is that of its last
+/// evaluation.
 struct TipRecord {
     double time = 0;
     std::int64_t step = 0;
-    Index tip = 0;  ///< lasting number
+    Index tip = 0;  ///< number of the tip, which never changes
     Index vertex = 0;
     Vector3d position = Vector3d::Zero();   ///< m
-    Vector3d direction = Vector3d::Zero();  ///< unit vector of its path so far, in the deformed sheet
+    Vector3d direction = Vector3d::Zero();  ///< unit vector along its path at the tip, in the deformed sheet
     double speed = 0;                       ///< m/s; 0 in statics
     double released = 0;                    ///< G, J/m^2
     double toughness = 0;                   ///< G_c, J/m^2
@@ -96,7 +98,7 @@ struct CrackEvents {
     }
 };
 
-/// Calls visit(kind) for every kind of event: a pointer to its member of CrackEvents.
+/// Calls visit(kind) for every kind of event; kind: pointer to the member of CrackEvents with its events.
 template <class Visit>
 void visit_kinds(Visit visit) {
     visit(&CrackEvents::failures);
@@ -108,11 +110,11 @@ void visit_kinds(Visit visit) {
     visit(&CrackEvents::tips);
 }
 
-/// Sets the time (s) of the last events, those of step `step`.
+/// Sets the time (s) of the events of step `step`, which must be the last step with events.
 void set_time(CrackEvents& events, std::int64_t step, double time);
 
-/// Appends the new elements of a change of the mesh in step `step`: copies of vertices, inserted vertices and
-/// faces.
+/// Appends events for the new elements of a change of the mesh in step `step`: copies of vertices, inserted
+/// vertices and inserted faces.
 void append_insertions(const TopologyChange& change, std::int64_t step, CrackEvents& events);
 
 /// Appends later events.

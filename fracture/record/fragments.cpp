@@ -23,7 +23,7 @@ void Fragments::update(const Mesh& mesh, std::span<const double> areas) {
         area[pieces.of_face[f]] += areas[f];
         former[pieces.of_face[f]] = fragment_of_face[f];
     }
-    std::vector<Index> inserted(parent.size(), -1);  // piece that keeps the fragment's number
+    std::vector<Index> inserted(parent.size(), -1);  // for each fragment, the piece that keeps its number
     for (Index piece = 0; piece < pieces.count; ++piece)
         if (const Index from = former[piece]; from >= 0)
             if (inserted[from] < 0 || area[piece] > area[inserted[from]]) inserted[from] = piece;

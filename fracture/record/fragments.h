@@ -10,24 +10,26 @@
 
 namespace sherd {
 
-/// The fragments of a mesh, with lasting numbers: when a fragment breaks, its largest part by area keeps the
-/// number (of equal parts the one with the lowest face), and the others get new numbers in the order of their
-/// first faces.
+/// The fragments of a mesh, with numbers that never change. When a fragment breaks, its largest part by area
+/// keeps the number (of equally large parts, the part with the lowest face number), and the other parts get
+/// new numbers in the order of their first faces.
 class Fragments {
   public:
-    /// areas: [F] m^2. The fragments of the unfractured mesh are numbered in the order of their first faces.
+    /// areas: [F] m^2, of the faces at rest. The fragments of the unfractured mesh are numbered in the order
+    /// of their first faces.
     Fragments(const Mesh& mesh, std::span<const double> areas);
 
-    /// Assigns inserted faces to the fragment of their main parent.
+    /// Assigns each inserted face to the fragment of its first parent, which covered most of it.
     void follow(const TopologyChange& change);
 
-    /// Must be called when the mesh was opened.
+    /// Must be called when the mesh has opened. areas: [F] m^2, of the faces at rest.
     void update(const Mesh& mesh, std::span<const double> areas);
 
     std::span<const Index> of_face() const { return fragment_of_face; }  ///< [F] fragment of each face
-    /// [fragments] the fragment from which each separated; -1 if it exists from the beginning.
+    /// [fragments] number of the fragment from which each fragment separated; -1: it exists from the
+    /// beginning.
     std::span<const Index> parents() const { return parent; }
-    Index count() const { return static_cast<Index>(parent.size()); }  ///< number so far; no fragment ends
+    Index count() const { return static_cast<Index>(parent.size()); }  ///< number of all fragments so far
 
     void visit_state(StateVisitor& visit) {
         auto& [fragment_of_face, parent] = *this;

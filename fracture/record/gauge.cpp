@@ -10,7 +10,7 @@
 namespace sherd {
 namespace {
 
-/// Barycentric coordinates of a point of the face's plane at rest.
+/// Barycentric coordinates of the gauge's place in its face at rest.
 Vector3d coordinates(const Shell& shell, const Gauge& gauge) {
     const TrianglePositions x = columns(shell.rest, shell.triangles[gauge.face].vertices);
     const Vector3d normal = Vector3d(x.col(1) - x.col(0)).cross(Vector3d(x.col(2) - x.col(0)));

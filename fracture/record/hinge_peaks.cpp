@@ -12,7 +12,8 @@ constexpr VectorXd HingeMeasures::*all[] = {&HingeMeasures::bending, &HingeMeasu
 }  // namespace
 
 void HingePeaks::record(const BreakableShell& shell, const HingeMeasures& measures) {
-    // The list ends with the last edge that has a hinge: most appended edges are crack faces, without one.
+    // The list ends with the last edge that has a hinge, since most appended edges are on crack faces, where
+    // there are no hinges.
     Eigen::Index edges = peaks.strain.size();
     if (edges == 0) edges = static_cast<Eigen::Index>(shell.mesh().number_of_edges());
     for (const Index edge : shell.mechanics().hinge_edge) edges = std::max<Eigen::Index>(edges, edge + 1);

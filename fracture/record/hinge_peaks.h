@@ -6,16 +6,18 @@
 
 namespace sherd {
 
-/// The largest measures of each hinge so far, each taken before anything fails in its step.
+/// The largest measures of each hinge in all steps so far. In each step they are taken before anything fails.
 class HingePeaks {
   public:
-    /// Records the measures in the step that is being solved. They replace those of an earlier attempt at it.
+    /// Records the measures in the step that is being solved. They replace the measures of an earlier attempt
+    /// at this step.
     void record(const BreakableShell& shell, const HingeMeasures& measures);
     /// Makes the recorded measures final, when the step is finished.
     void finish_step();
 
-    /// [E0 or more] in the order of edges: all of the unfractured mesh, failed ones included, and inserted
-    /// ones up to the last that had a hinge; 0 for edges that never had one.
+    /// Largest measures in the order of edges, [E0 or more]: of all edges of the unfractured mesh, failed
+    /// edges included, and of later edges up to the last one that has had a hinge; 0 for edges that never had
+    /// a hinge.
     const HingeMeasures& of_edges() const { return peaks; }
 
     void visit_state(StateVisitor& visit) {

@@ -16,8 +16,8 @@
 namespace sherd {
 
 /// The shell at one time, as plain arrays: a frame of a recording. From one snapshot of a run to the next
-/// vertices, edges and faces are only appended. A face that is split keeps its number for one of its parts,
-/// and an edge that is flipped keeps its number.
+/// vertices, edges and faces are only appended. When a face is split, one of its parts keeps its number, and
+/// an edge that is flipped keeps its number.
 struct Snapshot {
     std::int64_t step = 0;
     double time = 0;  ///< s
@@ -25,26 +25,27 @@ struct Snapshot {
     Positions position;           ///< [3, V] m
     Positions velocity;           ///< [3, V] m/s
     VectorXd mass;                ///< [V] kg
-    std::vector<Index> original;  ///< [V] the vertex at rest of each: a column of rest.position
+    std::vector<Index> original;  ///< [V] column of rest.position that is the vertex at rest
 
-    std::vector<std::array<Index, 3>> faces;  ///< [F]
+    std::vector<std::array<Index, 3>> faces;  ///< [F] corners
     std::vector<Index> face_fragment;         ///< [F] number of each face's fragment
     std::vector<Index> face_sheet;            ///< [F] number of the sheet in the scene
 
     std::vector<std::array<Index, 2>> edges;  ///< [E] end points
     std::vector<EdgeState> edge_state;        ///< [E]
     std::vector<double> edge_strain;          ///< [E] 1/m, signed bending strain; zero without a hinge
-    /// [E] remaining share of the cohesive force of each edge while it opens; empty: none opens gradually.
+    /// [E] share, 0 to 1, of the cohesive force that still acts on each edge while the edge opens; empty: no
+    /// edge opens gradually.
     std::vector<double> edge_cohesive_share = {};
 
     RestMesh rest;      ///< mesh at rest, with the same faces
-    FaceFields fields;  ///< fields that were asked for
+    FaceFields fields;  ///< fields of faces that the caller chose
 };
 
-/// Elements of a snapshot; an array has an entry for each of one kind.
+/// Kinds of elements of a snapshot. An array has an entry for each element of one kind.
 enum class Elements { vertices, faces, edges, rest_vertices };
 
-/// Meaning of an array's numbers as indices.
+/// Elements to which the numbers in an array refer; `nothing`: the numbers are no indices.
 enum class Names {
     nothing,
     vertices,
@@ -63,17 +64,17 @@ enum class Presence {
 
 /// Row of the table of a snapshot's arrays.
 struct SnapshotArray {
-    const char* name;  ///< dataset of a frame in recordings
+    const char* name;  ///< name of the dataset in the frames of a recording
     Elements entries;
     const char* unit = "1";
-    const char* meaning = "";  ///< sentence in recordings
+    const char* meaning = "";  ///< description in recordings
     Names names = Names::nothing;
     Presence presence = Presence::always;
-    bool shown = false;  ///< whether the index for ParaView has it
+    bool shown = false;  ///< whether the index file for ParaView lists the array
 };
 
-/// Calls visit(SnapshotArray, array) for each array of a snapshot, but not of its mesh at rest and its
-/// fields.
+/// Calls visit(SnapshotArray, array) for each array of a snapshot, except the arrays of its mesh at rest and
+/// of its fields.
 template <class S, class Visit>
 void visit_arrays(S& snapshot, const Visit& visit) {
     using A = SnapshotArray;
@@ -128,7 +129,7 @@ void visit_arrays(S& snapshot, const Visit& visit) {
           snapshot.edge_cohesive_share);
 }
 
-/// Calls visit(SnapshotArray, array) for each array of a mesh at rest, but not of its look.
+/// Calls visit(SnapshotArray, array) for each array of a mesh at rest, except the arrays of its look.
 template <class R, class Visit>
 void visit_rest_arrays(R& rest, const Visit& visit) {
     using A = SnapshotArray;
@@ -169,7 +170,8 @@ void visit_rest_arrays(R& rest, const Visit& visit) {
 
 class BreakableShell;
 
-/// Takes a snapshot of the current state; the caller sets step and time. face_fragment: [F].
+/// Takes a snapshot of the current state; the caller sets step and time. face_fragment: [F] number of each
+/// face's fragment.
 Snapshot take_snapshot(const BreakableShell& shell, std::span<const Index> face_fragment);
 
 }  // namespace sherd

@@ -23,14 +23,15 @@ Index number(std::size_t element) {
 
 Mesh joined(const std::vector<SheetInput>& inputs) {
     Mesh all = inputs.front().mesh;
-    // join() copies only properties that `all` has, too.
+    // Mesh::join() copies only the properties that `all` has.
     for (const SheetInput& input : inputs) take_properties(all, input.mesh);
     for (std::size_t i = 1; i < inputs.size(); ++i) all.join(inputs[i].mesh);
     return all;
 }
 
-/// The first material axis of every face of all sheets, [F]; zero, which stands for an angle of zero, where
-/// nothing depends on it. Throws Error if a material is inadmissible or an axis is missing.
+/// Returns the first material axis of every face of all sheets, [F]. If no property of a sheet depends on the
+/// direction, its axes may be missing: they are then zero vectors, which stand for an angle of zero. Throws
+/// Error if a material is inadmissible or an axis is missing.
 std::vector<Vector3d> joined_axes(const std::vector<SheetInput>& inputs) {
     std::vector<Vector3d> all;
     for (const SheetInput& input : inputs) {
@@ -138,7 +139,7 @@ void BreakableShell::add_triangles() {
     }
 }
 
-/// Angle of the material's axis in the hinge's plane against its edge, rad.
+/// Angle from the edge of a hinge to the first material axis, rad: see hinge_axis_angle().
 double BreakableShell::hinge_axis(Edge edge) const {
     const auto axis = [&](int side) { return shell.face_axis[mesh().face(mesh().halfedge(edge, side))]; };
     return hinge_axis_angle(columns(shell.rest, hinge_vertices(edge)), {axis(0), axis(1)});

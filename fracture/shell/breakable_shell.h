@@ -19,38 +19,40 @@ namespace sherd {
 
 /// All sheets of a simulation: their mesh and their mechanics, kept consistent. The failure of edges removes
 /// hinges and duplicates vertices, and changes nothing else: rest shape, stiffness and total mass stay. The
-/// mesh has the rest shape at all times.
+/// points of the mesh are rest positions at all times.
 class BreakableShell {
   public:
-    /// inputs: at least one. Throws Error if a material's constants are inadmissible, if material or strength
-    /// or toughness depend on the direction and an axis is missing for a face, if the number of their factors
-    /// differs from the number of edges, or if a thickness is missing or not positive.
+    /// inputs: at least one. Throws Error if a material's constants are inadmissible, if material, strength
+    /// or toughness depends on the direction and a face has no axis, if the number of factors on strength or
+    /// toughness differs from the number of edges, or if a thickness is missing or not positive.
     explicit BreakableShell(const std::vector<SheetInput>& inputs);
 
     const CrackMesh& cracks() const { return crack_mesh; }
     const Mesh& mesh() const { return crack_mesh.mesh(); }
     const Shell& mechanics() const { return shell; }
     Shell& mechanics() { return shell; }
-    std::span<const Index> face_sheet() const { return shell.face_sheet; }  ///< [F] number of the input
+    /// [F] number of each face's sheet among the inputs.
+    std::span<const Index> face_sheet() const { return shell.face_sheet; }
     Edge edge_of_hinge(std::size_t hinge) const { return Edge(shell.hinge_edge[hinge]); }
     /// Number of the edge's hinge in mechanics().hinges; -1 if it has none.
     Index hinge_of_edge(Edge edge) const { return shell.edge_hinge[edge]; }
-    /// Strength of the hinge of `edge`, in the unit of its sheet's measure; infinite if it cannot fail, or
-    /// not yet (ArtDirection::after). A strength by stress includes the compression of a tempered surface.
+    /// Strength of the hinge of `edge`, in the unit of its sheet's measure; infinite if the hinge cannot
+    /// fail, or must not fail yet (ArtDirection::after). If the measure is stress, the strength includes the
+    /// compression of a tempered sheet's surface.
     double strength(Edge edge) const { return waits(edge) ? never : shell.edge_strength[edge]; }
     /// Whether the edge has a hinge that can fail.
     bool can_fail(Edge edge) const { return hinge_of_edge(edge) >= 0 && std::isfinite(strength(edge)); }
-    /// The measure of the hinge of `edge` that is compared with its strength.
+    /// The measure that is compared with the strength of the hinge of `edge`.
     Measure measure(Edge edge) const { return strengths[sheet_of(edge)].measure; }
-    Index sheet_of(Edge edge) const;  ///< number of the input
+    Index sheet_of(Edge edge) const;  ///< number of the edge's sheet
     bool yields() const {             ///< whether any sheet has a yield stress
         return std::ranges::any_of(materials, [](const Material& one) { return one.yield > 0; });
     }
-    double yield_of_sheet(Index sheet) const { return materials[sheet].yield; }  ///< see Material::yield
+    double yield_of_sheet(Index sheet) const { return materials[sheet].yield; }  ///< Pa, see Material::yield
     const Toughness& toughness_of_sheet(Index sheet) const { return toughnesses[sheet]; }
     /// The toughness of the sheet of a vertex.
     const Toughness& toughness_at(Index vertex) const { return toughnesses[shell.vertex_sheet[vertex]]; }
-    /// The material of a vertex and of a face, with the thickness there.
+    /// The material of the sheet of a vertex or a face, with the thickness there.
     Material material_at(Index vertex) const {
         return material_of(shell.vertex_sheet[vertex], std::array{vertex});
     }
@@ -62,12 +64,13 @@ class BreakableShell {
         const Strength& strength = strengths[sheet_of(edge)];
         return strength.along != strength.across;
     }
-    /// Toughness of an edge, in its direction and with its factor.
+    /// Toughness of an edge: K_Ic in the edge's direction, with the edge's factor, and the speed limit. Other
+    /// members have their default values.
     Toughness toughness(Edge edge) const {
         return {.value = shell.edge_toughness[edge], .speed_limit = toughnesses[sheet_of(edge)].speed_limit};
     }
-    /// K_Ic, Pa m^0.5, of a crack that propagates from a vertex in a direction of the rest shape; infinite
-    /// where it cannot.
+    /// K_Ic, Pa m^0.5, of a crack that propagates from a vertex in a direction of the rest shape; infinite if
+    /// no edge ahead can fail.
     double toughness_towards(Vertex from, const Vector3d& direction) const;
     const ArtDirection& art_direction(Index sheet) const { return art_directions[sheet]; }
     /// Determines the sheets that must not fail yet at `time` (s): see ArtDirection::after.
@@ -90,39 +93,43 @@ class BreakableShell {
     /// An edge that has been made along a ray: see AdvancedEdge.
     struct Advanced {
         AdvancedEdge::Way way;
-        Halfedge halfedge;  ///< from the tip to the edge's other end
+        Halfedge halfedge;  ///< runs from the tip to the edge's other end
         Vector3d direction;
-        double off_course;  ///< rad
-        Change change;      ///< without `shell` where the edge existed already
+        double off_course;  ///< rad, see AdvancedEdge
+        Change change;      ///< `shell` is empty if the edge existed already
     };
     /// Inserts an edge from `tip` along a ray of the rest shape, and triangulates the sheet around it again
-    /// (advance_edge(), CrackMesh::advance()). The edge does not fail yet. Kept in place, besides
-    /// options.kept, are crack faces, pinned and scripted vertices, vertices held or guided otherwise than a
-    /// neighbour, and those of lock_vertices() and lock_border().
+    /// (advance_edge(), CrackMesh::advance()). The edge does not fail yet. Besides what options.kept keeps,
+    /// the following stay in place: crack faces, pinned and scripted vertices, vertices that are held or
+    /// guided differently from a neighbour, vertices of exempt pairs, vertices that have overlapped a
+    /// collider since the start, and what lock_vertices() and lock_border() keep.
     ///
     /// The mass of each old face is distributed to its parts by area, so that mass is conserved; a vertex has
-    /// a third of its faces' mass. Positions and velocities are interpolated, then the patch gets the rigid
-    /// motion that keeps its momentum (follow_in_motion()). Rest angles, stiffness and strength are those of
-    /// a sheet that is made of these triangles. A face has the material axis of the old face of which it has
-    /// the largest share, turned into its own plane. Half of an edge has the edge's factors on strength and
-    /// toughness, and an edge across old faces the mean of the finite factors of their edges; an infinite one
-    /// if there is none.
+    /// a third of its faces' mass. Positions and velocities are interpolated; then the patch of new triangles
+    /// gets the rigid motion that keeps its momentum (follow_in_motion()). Rest angles, stiffness and
+    /// strength are computed from the new triangles. A face has the material axis of the old face of which it
+    /// has the largest share, turned into its own plane. Each half of a split edge has the edge's factors on
+    /// strength and toughness. An edge across old faces has the mean of the finite factors of the edges
+    /// around these faces, and infinite factors if there is no finite one.
     std::optional<Advanced> advance(Vertex tip, const Vector3d& direction, const AdvanceOptions& options);
-    /// Makes later calls of advance() keep these vertices at their place of the rest shape.
+    /// Makes later calls of advance() keep these vertices at their places in the rest shape.
     void lock_vertices(std::span<const Index> vertices);
-    /// Makes later calls of advance() keep the edges between these faces and others as lines.
+    /// Makes later calls of advance() keep the edges between these faces and other faces as lines of the
+    /// mesh.
     void lock_border(std::span<const Index> faces);
 
-    /// Where the mesh lies in the unfractured one.
+    /// How the mesh lies in the unfractured mesh.
     const RestParents& rest_parents() const { return parents_at_rest; }
-    std::span<const Vector3d> axes() const { return shell.face_axis; }                    ///< [F] as in Shell
-    double strength_factor(Edge edge) const { return shell.edge_strength_factor[edge]; }  ///< as in Strength
+    std::span<const Vector3d> axes() const { return shell.face_axis; }  ///< [F] Shell::face_axis
+    /// Factor on the strength of the edge: see Strength::factors.
+    double strength_factor(Edge edge) const { return shell.edge_strength_factor[edge]; }
 
     /// Exempts faces that overlap at the start from contact until they have separated (StartExemptions).
     void exempt(std::span<const StartOverlap> overlaps);
-    std::size_t exempt_pairs() const { return exemptions.count(); }  ///< number of vertex pairs
-    /// Re-enables SheetContact between separated crack faces, and between exempt faces that have separated.
-    /// Returns whether there were any.
+    /// Number of vertex pairs of exempt faces.
+    std::size_t exempt_pairs() const { return exemptions.count(); }
+    /// Re-enables SheetContact between crack faces, and between exempt faces, that have separated. Returns
+    /// whether there were any such faces.
     bool release_apart();
     void visit_state(StateVisitor& visit);
 
@@ -152,9 +159,9 @@ class BreakableShell {
     void renumber(std::span<const Face> faces);
     void share_masses(const TopologyChange& change);
 
-    /// Whether a vertex is held or guided, and a neighbour is not, or otherwise.
+    /// Whether a vertex is held or guided and a neighbour is not, or is held or guided differently.
     bool is_supported_alone(Vertex vertex) const;
-    bool overlaps_collider(Vertex vertex) const;  ///< whether it has overlapped one since the start
+    bool overlaps_collider(Vertex vertex) const;  ///< whether it has overlapped a collider since the start
     AdvanceOptions with_locks(const AdvanceOptions& options) const;
     ShellChange reshape(const TopologyChange& topology);
     void write_pairs();  ///< sets shell.exempt_pairs, shell.near and shell.crack_faces
@@ -174,7 +181,7 @@ class BreakableShell {
     std::vector<Strength> strengths;     ///< [sheets], without factors
     std::vector<Toughness> toughnesses;  ///< [sheets], without factors
     std::vector<ArtDirection> art_directions;
-    std::vector<char> waiting;  ///< [sheets] whether it must not fail yet; empty: none waits
+    std::vector<char> waiting;  ///< [sheets] 1: the sheet must not fail yet; empty: all sheets may fail
 };
 
 }  // namespace sherd

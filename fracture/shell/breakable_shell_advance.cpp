@@ -11,7 +11,8 @@
 namespace sherd {
 namespace {
 
-/// Returns an axis turned into the plane of a face, with its length; unchanged if it is normal to the plane.
+/// Returns the axis turned into the plane of a face, with the same length. An axis normal to the plane is
+/// returned unchanged.
 Vector3d in_plane(const Vector3d& axis, const TrianglePositions& rest) {
     const Vector3d normal =
         Vector3d(rest.col(1) - rest.col(0)).cross(Vector3d(rest.col(2) - rest.col(0))).normalized();
@@ -153,9 +154,9 @@ void BreakableShell::reshape_hinges(ShellChange& change) {
     std::ranges::sort(change.reshaped_hinges);
 }
 
-/// Adds (sign 1) or subtracts (sign -1) the contributions of faces, and of their sides on the outline, to the
-/// contact areas of their corners. old: finds the edges between the faces' corners in the shell before the
-/// change of the mesh; null: the mesh as it is does.
+/// Adds (sign 1) to the contact areas of corners, or subtracts from them (sign -1), the contributions of
+/// faces and of the faces' sides on the outline. old: finds the edges between the faces' corners if the faces
+/// belong to the mesh before its change; null: the faces belong to the present mesh.
 void BreakableShell::add_footprints(std::span<const Index> faces, const OldSides* old, double sign) {
     const auto edge_between = [&](Index from, Index to) {
         if (old != nullptr) return old->between(from, to);

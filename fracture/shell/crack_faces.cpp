@@ -9,19 +9,20 @@
 namespace sherd {
 namespace {
 
-constexpr double rounding = 1e-9;  // share of the thickness below which ends of opposite edges coincide
+constexpr double rounding = 1e-9;  // largest distance, in thicknesses, of coincident ends of opposite edges
 
 Index number(Vertex vertex) {
     return static_cast<Index>(vertex);
 }
 
-/// The halfedge of a boundary edge that belongs to its face.
+/// The halfedge of a boundary edge that belongs to a face.
 Halfedge inner(const Mesh& mesh, Edge edge) {
     const Halfedge h = mesh.halfedge(edge);
     return mesh.is_border(h) ? mesh.opposite(h) : h;
 }
 
-/// Whether the distance of two elements is at most half the sum of their thicknesses.
+/// Whether the distance of two elements is at most half the sum of their thicknesses. of: their vertices, in
+/// the order of PairPositions.
 bool elements_overlap(PairKind kind, const Shell& shell, const Positions& x,
                       const std::array<Vertex, 4>& of) {
     std::array<Index, 4> vertices;
@@ -41,7 +42,7 @@ bool overlaps_faces(const Mesh& mesh, const Shell& shell, const Positions& x, Ve
     });
 }
 
-/// An edge of a crack face, with the triangle that it is a side of.
+/// An edge of a crack face, with the triangle to which it belongs.
 struct CrackFaceSide {
     CrackFaceSide(const Mesh& mesh, const Shell& shell, Halfedge h)
         : ends{mesh.source(h), mesh.target(h)},
@@ -67,7 +68,8 @@ struct CrackFaceSide {
     std::array<Vertex, 2> ends;
     Vertex apex;
     const Positions& rest;
-    double length, reach;  ///< m, at rest
+    double length, reach;  ///< m, length at rest; largest distance from an end at which a vertex coincides
+                           ///< with it
 };
 
 }  // namespace
@@ -107,7 +109,8 @@ bool CrackFaces::apart(const Mesh& mesh, const Shell& shell, const Positions& x,
     for (const Halfedge a : mesh.halfedges_around_target(mesh.halfedge(v)))
         for (const Halfedge b : mesh.halfedges_around_target(mesh.halfedge(w))) {
             const Vertex p = mesh.source(a), q = mesh.source(b);
-            if (p == q || coincident.has(p, q)) continue;  // shared vertex, or another coincident pair
+            // Edges that share a vertex, or contain another pair, are not compared.
+            if (p == q || coincident.has(p, q)) continue;
             if (elements_overlap(PairKind::edge_edge, shell, x, {p, v, q, w})) return false;
         }
     return true;
@@ -117,7 +120,8 @@ bool CrackFaces::release(const Mesh& mesh, const Shell& shell, const Positions& 
     bool any = false;
     for (const auto& [pair, reach] : coincident.all()) {
         if (!apart(mesh, shell, x, pair)) continue;
-        // The pair is erased at once, so that the next pair takes the elements that they share into account.
+        // The pair is erased at once: elements that contain this and a later pair are then tested with the
+        // later pair.
         coincident.erase(pair[0], pair[1]);
         any = true;
     }
@@ -148,7 +152,8 @@ void CrackFaces::write(const Mesh& mesh, Shell& shell) const {
                 if (!ahead ||
                     !(coincident.has(crack_face.ends[0], end) || coincident.has(crack_face.ends[1], end)))
                     continue;
-                // Ends that meet are both kept in front of the other edge, so each has half the stiffness.
+                // Where ends of two opposite edges meet, each end is kept in front of the other edge, so that
+                // each of the two contacts has half the stiffness.
                 const bool meets_end = place == 0 || place == 1;
                 shell.crack_faces.push_back({crack_face.stencil(end), meets_end ? stiffness : 2 * stiffness});
             }

@@ -13,32 +13,32 @@ namespace sherd {
 
 /// Crack faces, from their opening until their distance exceeds the sheet's thickness.
 ///
-/// The copies of a vertex that a crack has split coincide at first, where the barrier of SheetContact is
-/// infinite. So two elements do not collide if each contains one vertex of a coincident pair. Until they are
-/// released, CrackFaceContact keeps the two edges of an opened crack apart; from then on SheetContact does,
-/// permanently.
+/// The copies of a vertex that a crack has split coincide at first, and at that distance the barrier of
+/// SheetContact is infinite. Therefore two elements do not collide in SheetContact if each contains one
+/// vertex of a coincident pair. Until the pair is released, CrackFaceContact keeps the two opposite edges of
+/// the crack apart; from then on SheetContact keeps them apart.
 class CrackFaces {
   public:
     /// Registers two coincident vertices without crack faces, such as those along a seam.
     void mark_coincident(Vertex a, Vertex b) { coincident.add(a, b); }
 
-    /// Must be called when the mesh was opened.
+    /// Must be called when the mesh has opened.
     void open(const TopologyChange& change);
 
-    /// Must be called when faces have been split. A vertex inserted on one crack face lies on the opposite
-    /// face, too: it counts as coincident with both ends of the edge there.
+    /// Must be called when faces have been split. A vertex inserted on one crack face lies on an edge of the
+    /// opposite crack face, too: it counts as coincident with the two ends of that edge.
     void cut(const Mesh& mesh, const TopologyChange& change);
 
-    /// Releases the coincident vertices whose elements are all farther apart at x ([3, V] m) than the sheet
-    /// is thick, except elements that still share a vertex or contain another coincident pair. Returns
-    /// whether there were any.
+    /// Releases each coincident pair if all elements with one of its vertices are farther apart at x ([3, V]
+    /// m) than the sheet is thick. Elements that share a vertex or contain another coincident pair are not
+    /// compared. Returns whether a pair has been released.
     bool release(const Mesh& mesh, const Shell& shell, const Positions& x);
 
-    /// Adds to shell.exempt_pairs and sets shell.crack_faces. A crack face resists overlap like a column of
-    /// sheet whose cross-section is the face's length times the thickness and whose length is the thickness:
-    /// the force per metre of crack is Y / 2 times the overlap, on any mesh. Where an edge of a crack face
-    /// has been split, each half is paired with the opposite edge: vertices within their common length are
-    /// kept in front of the other edge.
+    /// Appends the coincident pairs to shell.exempt_pairs, and sets shell.crack_faces. A crack face resists
+    /// overlap like a column of sheet whose cross-section is the face's length times the thickness and whose
+    /// length is the thickness: the force per metre of crack is Y / 2 times the overlap, on any mesh. Where
+    /// an edge of a crack face has been split, each half is paired with the opposite edge. In each pair, the
+    /// ends of one edge that lie along the other edge are kept in front of that edge.
     void write(const Mesh& mesh, Shell& shell) const;
 
     bool has_coincident(Vertex vertex) const { return coincident.has(vertex); }
@@ -54,7 +54,7 @@ class CrackFaces {
     bool apart(const Mesh& mesh, const Shell& shell, const Positions& x, const CoincidentPair& pair) const;
 
     VertexPairs coincident;
-    std::vector<std::array<Edge, 2>> edges;  ///< opened edges: one of each crack face
+    std::vector<std::array<Edge, 2>> edges;  ///< pairs of opposite edges, one on each crack face
 };
 
 }  // namespace sherd

@@ -27,8 +27,8 @@ std::array<TriangleEdge, 2> sides_of(const BreakableShell& shell, std::size_t hi
     return sides;
 }
 
-/// Returns the vector whose dot product with a strain (00, 11, 2 * 01) is the component across an edge of
-/// normal n.
+/// Returns the vector whose dot product with a strain (00, 11, 2 * 01) is the strain across an edge whose
+/// normal is n.
 Vector3d across(const Vector2d& n) {
     return Vector3d(n.x() * n.x(), n.y() * n.y(), n.x() * n.y()) / n.squaredNorm();
 }
@@ -42,13 +42,13 @@ double hinge_strain_at(const BreakableShell& shell, Index hinge, const Positions
     return strain;
 }
 
-/// Change of curvature of faces from the angles of their own hinges, as of hinges that are not coupled,
-/// [3, 2], 1/m.
+/// Changes of curvature of two faces, [3, 2], 1/m, each from the angles of the face's own hinges, as for
+/// hinges that are not coupled.
 Eigen::Matrix3Xd own_curvatures(const BreakableShell& shell, const std::array<Index, 2>& faces,
                                 const Positions& x) {
     Eigen::Matrix3Xd curvatures = Eigen::Matrix3Xd::Zero(3, 2);
     for (const int i : {0, 1}) {
-        std::vector<Index> hinges;  // in the order in which curvatures_of_hinges() sums
+        std::vector<Index> hinges;  // ascending, as curvatures_of_hinges() sums them
         for (const Halfedge h : shell.mesh().halfedges_around_face(shell.mesh().halfedge(Face(faces[i]))))
             if (const Index hinge = shell.hinge_of_edge(shell.mesh().edge(h)); hinge >= 0)
                 hinges.push_back(hinge);
@@ -63,8 +63,9 @@ Eigen::Matrix3Xd own_curvatures(const BreakableShell& shell, const std::array<In
     return curvatures;
 }
 
-/// The state of faces beside a hinge, in columns. force, moment: products of the plane-stress elasticity with
-/// strain and curvature, N/m and N/m^2, the third component doubled.
+/// State of some faces, a column for each: see hinge_measures() for strain, curvature and plastic curvature.
+/// Members `force`, N/m, and `moment`, N/m^2, are the products of the plane-stress elasticity with strain and
+/// curvature, with the third component doubled.
 struct FaceColumns {
     const Eigen::Matrix3Xd &strain, &curvature;
     const std::optional<Eigen::Matrix3Xd>& plastic;
@@ -87,7 +88,8 @@ struct FaceColumns {
     }
 };
 
-/// Measures of a hinge between two sides. at: columns of their faces.
+/// Measures of the hinge that joins two sides. at: columns of the sides' faces in `faces`; bending: 1/m,
+/// hinge_strains() of the hinge.
 HingeMeasure measure_of(const Shell& shell, const HingeStencil& hinge,
                         const std::array<TriangleEdge, 2>& sides, const std::array<Index, 2>& at,
                         const FaceColumns& faces, double bending) {

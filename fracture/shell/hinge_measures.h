@@ -16,14 +16,14 @@ VectorXd hinge_strains(const BreakableShell& shell, const Positions& x);
 /// The measures by which a hinge fails.
 struct HingeMeasure {
     double bending = 0;  ///< magnitude of the bending strain, 1/m
-    double strain =
-        0;  ///< 1/m, tensile strain across the edge, at the surface where it is larger, over t / 2
+    /// Tensile strain across the edge, at the surface where it is larger, over half the thickness, 1/m.
+    double strain = 0;
     double stress = 0;  ///< Pa, tensile stress across the edge at the surface where it is larger
 
     double of(Measure measure) const;
 };
 
-/// The measures of all hinges, [H] each, in the order of mechanics().hinges: see HingeMeasure.
+/// The measures of all hinges, each [H] in the order of mechanics().hinges: see HingeMeasure.
 struct HingeMeasures {
     VectorXd bending, strain, stress;
 
@@ -35,15 +35,17 @@ struct HingeMeasures {
     }
 };
 
-/// Computes strain and stress of all hinges. They are means over the edge's two faces of the component across
-/// the edge of their Green strain plus half the thickness times their change of curvature; the stress follows
-/// with the membrane's plane-stress elasticity. curvatures: the faces' changes of curvature, [3, F], 1/m, as
-/// (00, 11, 2 * 01) in their rest frames (ShellEnergies::coupled_curvatures()); without them they follow from
-/// the changes of the angles of each face's own hinges, as for uncoupled hinges. In pure bending `strain` is
-/// a curvature, like the paper's measure; unlike the paper's, it includes in-plane stretch, and the bending
-/// of a face as a whole. strains: the faces' Green strain, [3, F] (ShellEnergies::face_strains()); without
-/// them it follows from the faces' corners. plastic: plastic part of the faces' curvature
-/// (ShellEnergies::plastic_curvatures()), which adds to the strain and not to the stress. x: [3, V] m.
+/// Computes the measures of all hinges at the positions x, [3, V] m. Strain and stress of a hinge are
+/// computed from the means, over its two faces, of the faces' Green strain and change of curvature across the
+/// edge. `strain` is the Green strain over half the thickness, plus the magnitude of the change of curvature;
+/// `stress` is the stress at the surface by the membrane's plane-stress elasticity. In pure bending `strain`
+/// is a curvature, like the paper's measure `bending`; unlike `bending`, it includes in-plane stretch, and
+/// the bending of a face as a whole. curvatures: [3, F] 1/m, the faces' changes of curvature, (00, 11, 2 *
+/// 01) in their rest frames (ShellEnergies::coupled_curvatures()); if they are not given, they follow from
+/// the changes of the angles of each face's own hinges, as for uncoupled hinges. strains: [3, F], the faces'
+/// Green strain (ShellEnergies::face_strains()); if it is not given, it follows from the faces' corners.
+/// plastic: [3, F] 1/m, plastic part of the faces' curvature (ShellEnergies::plastic_curvatures()), which
+/// adds to the strain and not to the stress.
 HingeMeasures hinge_measures(const BreakableShell& shell, const Positions& x,
                              const std::optional<Eigen::Matrix3Xd>& curvatures = {},
                              const std::optional<Eigen::Matrix3Xd>& strains = {},
@@ -51,7 +53,8 @@ HingeMeasures hinge_measures(const BreakableShell& shell, const Positions& x,
 
 /// The two faces of a hinge: T0 and T1.
 std::array<Index, 2> faces_of_hinge(const BreakableShell& shell, Index hinge);
-/// hinge_measures() of a single hinge, to the last bit. curvatures, strains, plastic: [3, 2], of its faces.
+/// Returns the measures of a single hinge, with the same bits as hinge_measures(). curvatures, strains,
+/// plastic: as there, but [3, 2], of the two faces of the hinge alone.
 HingeMeasure hinge_measure(const BreakableShell& shell, Index hinge, const Positions& x,
                            const std::optional<Eigen::Matrix3Xd>& curvatures, const Eigen::Matrix3Xd& strains,
                            const std::optional<Eigen::Matrix3Xd>& plastic);

@@ -11,27 +11,27 @@ namespace sherd {
 /// Corners of a face in the order of Shell::triangles.
 std::array<Index, 3> face_vertices(const Mesh& mesh, Face face);
 
-/// The change of a shell that corresponds to a change of the mesh. mesh: after the change; before: the shell,
-/// which has not followed yet. Reshaped hinges are not included.
+/// Returns the change of a shell that corresponds to the change `topology` of its mesh, without removed and
+/// reshaped hinges. mesh: the mesh after the change; before: the shell before the change.
 ShellChange shell_change(const Mesh& mesh, const TopologyChange& topology, const Shell& before);
 
-/// The edges of changed faces before the change.
+/// The edges of changed faces before a change of the mesh.
 class OldSides {
   public:
-    /// mesh: after the change. All arguments must outlive this object.
+    /// mesh: the mesh after the change; before: the shell before it. All arguments must outlive this object.
     OldSides(const Mesh& mesh, const TopologyChange& topology, const Shell& before);
 
-    /// The old edge between two old corners of a changed face; if it was split, the half that has its number.
-    /// Invalid if there is none.
+    /// Returns the old edge between two old corners of a changed face; if the edge was split, the half that
+    /// keeps its number. The result is invalid if there is no such edge.
     Edge between(Index from, Index to) const;
-    /// The old edges of the parents of the faces beside `edge`, each once.
+    /// Returns the old edges of all parents of the two faces beside `edge`, each edge once.
     std::vector<Edge> around(Edge edge) const;
 
   private:
     const Mesh& mesh;
     const TopologyChange& topology;
     const Shell& before;
-    std::vector<std::pair<std::array<Index, 2>, Edge>> flipped;  ///< their old ends
+    std::vector<std::pair<std::array<Index, 2>, Edge>> flipped;  ///< flipped edges, with their old ends
 };
 
 }  // namespace sherd

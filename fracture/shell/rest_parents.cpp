@@ -13,7 +13,7 @@
 namespace sherd {
 namespace {
 
-/// Fractions of areas, and weights, below this are round-off.
+/// Fractions of areas, and deviations of weights, below this are round-off.
 constexpr double nothing = 1e-10;
 
 bool lies_in_parent(const RestMesh& rest, std::size_t face) {

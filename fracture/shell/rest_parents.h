@@ -11,17 +11,17 @@
 
 namespace sherd {
 
-/// How the mesh of a sheet lies in the unfractured one, for RestMesh.
+/// How a mesh lies in the unfractured mesh, for RestMesh.
 class RestParents {
   public:
-    /// mesh: the unfractured one.
+    /// mesh: the unfractured mesh.
     explicit RestParents(const Mesh& mesh);
-    /// Must be called when the mesh has changed; mesh: after the change. Inserted and moved vertices get the
-    /// nearest point of the unfractured faces that are parents of the faces around them. On a curved sheet
-    /// they may lie beside these, by the sagitta of a chord.
+    /// Must be called when the mesh has changed; mesh: the mesh after the change. The place of an inserted or
+    /// moved vertex is the nearest point of the unfractured faces that are parents of the faces around it. On
+    /// a curved sheet the vertex may lie off these faces, by the sagitta of a chord.
     void follow(const Mesh& mesh, const TopologyChange& change);
 
-    /// [V] columns of RestMesh::position.
+    /// [V] column of RestMesh::position of each vertex.
     const std::vector<Index>& columns() const { return column; }
     RestMesh rest(const Shell& shell) const;
 
@@ -31,7 +31,7 @@ class RestParents {
     }
 
   private:
-    using Parts = std::map<Index, double>;  ///< fraction of the area of each unfractured face
+    using Parts = std::map<Index, double>;  ///< unfractured faces, and fractions of their areas
 
     struct Place {
         std::array<Index, 3> parents;
@@ -43,13 +43,13 @@ class RestParents {
     Place place_of(const Mesh& mesh, Vertex vertex) const;
     Index parent_of(Index face) const;
 
-    Positions start;                                ///< [3, V0] m
-    std::vector<std::array<Index, 3>> unfractured;  ///< [F0]
-    std::vector<double> area;                       ///< [F0] m^2
-    std::vector<Index> column;                      ///< [V]
-    std::vector<Index> vertex;                      ///< [R] one of the mesh's vertices there
-    std::vector<Place> places;                      ///< [R]
-    std::map<Index, Parts> reshaped;                ///< parts of faces that are not whole unfractured ones
+    Positions start;                                ///< [3, V0] m, unfractured vertices
+    std::vector<std::array<Index, 3>> unfractured;  ///< [F0] corners
+    std::vector<double> area;                       ///< [F0] m^2, areas
+    std::vector<Index> column;                      ///< [V] see columns()
+    std::vector<Index> vertex;                      ///< [R] a vertex of the mesh with this column
+    std::vector<Place> places;                      ///< [R] place in the unfractured mesh
+    std::map<Index, Parts> reshaped;                ///< parts of faces that are not whole unfractured faces
 };
 
 }  // namespace sherd

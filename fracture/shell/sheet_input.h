@@ -29,7 +29,8 @@ struct SheetInput {
     Positions start;                ///< [3, V] m, start positions; without columns: the rest shape
     Material material;              ///< with the mean thickness if the sheet is uneven
     std::vector<double> thickness;  ///< [V] m, linear in each face; empty: the material's everywhere
-    /// [F] first material axis, in the face's plane; may be empty if nothing depends on it.
+    /// [F] first material axis, in the face's plane; may be empty if no property of the sheet depends on the
+    /// direction.
     std::vector<Vector3d> axes;
     Strength strength;                     ///< by default the sheet cannot fail
     Toughness toughness;                   ///< by default cracks propagate by strength, too
@@ -37,7 +38,7 @@ struct SheetInput {
     Vector3d velocity = Vector3d::Zero();  ///< m/s
     Vector3d spin = Vector3d::Zero();      ///< rad/s, about the centre of mass
     std::vector<Index> pinned;             ///< vertices that are fixed or scripted
-    std::vector<MovingPin> moving_pins;    ///< motions of pinned vertices, at most one for each
+    std::vector<MovingPin> moving_pins;    ///< motions of pinned vertices, at most one for a vertex
 
     Vector3d starts_at(Vertex vertex) const;    ///< m
     double thickness_at(Vertex vertex) const {  ///< m
@@ -47,8 +48,8 @@ struct SheetInput {
     double thickest() const;  ///< m
 };
 
-/// Throws Error, naming the sheet by its number, unless there is a positive thickness for each vertex, or
-/// none.
+/// Throws Error, with the number `sheet`, unless input.thickness has a positive number for each vertex or is
+/// empty.
 void require_thickness(const SheetInput& input, std::size_t sheet);
 
 }  // namespace sherd

@@ -82,8 +82,8 @@ bool StartExemptions::apart(const Mesh& mesh, const Shell& shell, const VertexPa
     const Positions& x = shell.position;
     const std::vector<Corners> of_v = corners_around(mesh, v), of_w = corners_around(mesh, w);
     if (pair.reach == 0 && faces_meet(x, of_v, of_w)) return false;
-    // Elements that share a vertex do not collide, and elements that contain another exempt pair are left to
-    // it.
+    // Elements that share a vertex do not collide, and elements that contain another exempt pair are tested
+    // with that pair.
     const auto free = [&](PairKind kind, const std::array<Index, 4>& vertices) {
         const int first = vertices_of_first(kind);
         for (int i = 0; i < first; ++i)
@@ -111,7 +111,8 @@ bool StartExemptions::release(const Mesh& mesh, const Shell& shell) {
     bool any = false;
     for (const VertexPairs::Pair& pair : pairs.all()) {
         if (!apart(mesh, shell, pair)) continue;
-        // The pair is erased at once, so that the next pair takes the elements that they share into account.
+        // The pair is erased at once: elements that contain this and a later pair are then tested with the
+        // later pair.
         pairs.erase(pair.vertices[0], pair.vertices[1]);
         any = true;
     }

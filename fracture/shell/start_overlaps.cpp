@@ -30,7 +30,7 @@ bool at_seam(const Shell& shell, const FacePair& faces) {
     return false;
 }
 
-/// The faces of a pair's elements, in their order.
+/// Returns a face that contains the pair's first element, then a face that contains the second.
 FacePair faces_of(const Mesh& mesh, const ContactPair& pair) {
     const std::span<const Index> vertices(pair.vertices);
     const std::size_t first = pair.kind == PairKind::edge_edge ? 2 : 1;

@@ -8,13 +8,13 @@
 
 namespace sherd {
 
-/// The mesh with its vertices at their current positions.
+/// Returns a copy of the mesh whose points are the current positions.
 Mesh placed_mesh(const BreakableShell& shell);
 
-/// Finds all pairs of faces that overlap at the start, each once: first those that intersect (by exact
-/// predicates) or touch, then those that are closer than 0.99 of their activation distance in SheetContact,
-/// which would push them apart at the start. Both are ascending by their faces. Faces of one sheet with
-/// coincident vertices, as along a seam, do not count, nor exempt pairs.
+/// Returns all pairs of faces that overlap at the start, each pair once. First come the pairs that intersect
+/// (by exact predicates) or touch, ascending by their faces; then, ascending again, the pairs whose distance
+/// is less than 0.99 of their activation distance in SheetContact, which would push them apart. Faces of one
+/// sheet with coincident vertices, as along a seam, are left out, and so are exempt pairs.
 std::vector<StartOverlap> start_overlaps(const BreakableShell& shell);
 
 }  // namespace sherd

@@ -5,7 +5,7 @@
 
 namespace sherd {
 
-/// Membrane strains and curvatures of all faces, [3, F] each: see ShellEnergies.
+/// Membrane strains and curvatures (1/m) of all faces, [3, F] each: see ShellEnergies.
 struct FaceStrains {
     Eigen::Matrix3Xd membrane, curvature;
 };
@@ -18,7 +18,7 @@ struct SurfaceStress {
     SurfaceStress operator*(double factor) const { return {factor * top, factor * bottom}; }
 };
 
-/// Surface stress of one face (face_state()).
+/// Surface stress of one face: see face_state().
 SurfaceStress surface_stress(const Shell& shell, Index face, const FaceStrains& strains);
 
 /// Normal of a face at rest, m^2: its length is twice the area.

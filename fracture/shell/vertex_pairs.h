@@ -10,11 +10,11 @@
 
 namespace sherd {
 
-/// Unordered pairs of vertices, each with the distance below which elements that contain one of them each
-/// repel each other.
+/// Unordered pairs of vertices. Each pair has a reach: two elements, one with each vertex of the pair, repel
+/// each other only below this distance.
 class VertexPairs {
   public:
-    using Partners = std::map<Vertex, double>;  ///< reach of each, m; 0: no collision
+    using Partners = std::map<Vertex, double>;  ///< partners of a vertex, with the reach, m; 0: no collision
     struct Pair {
         std::array<Vertex, 2> vertices;  ///< ascending
         double reach;                    ///< m
@@ -31,7 +31,7 @@ class VertexPairs {
         const auto found = partners.find(vertex);
         return found == partners.end() ? Partners() : found->second;
     }
-    /// Adds a pair; if it exists, the smaller reach counts.
+    /// Adds a pair; if the pair exists, it keeps the smaller reach.
     void add(Vertex a, Vertex b, double reach = 0) {
         for (const auto& [from, to] : {std::array{a, b}, std::array{b, a}}) {
             const auto [at, is_new] = partners[from].emplace(to, reach);
@@ -60,7 +60,7 @@ class VertexPairs {
     }
 
   private:
-    std::map<Vertex, Partners> partners;  ///< pairs are stored both ways
+    std::map<Vertex, Partners> partners;  ///< each pair is stored at both of its vertices
 };
 
 }  // namespace sherd

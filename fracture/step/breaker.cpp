@@ -10,7 +10,7 @@
 namespace sherd {
 namespace {
 
-/// Energy of residual stress, J, that the failure of these edges releases, one after the other.
+/// Energy of residual stress, J, that is released if these edges fail one after the other.
 double residual_released(const BreakableShell& shell, std::span<const Edge> edges) {
     std::vector<CrackPiece> pieces;
     double released = 0;
@@ -91,8 +91,8 @@ std::vector<CrackStep> Breaker::next_crack_steps(const Measured& now, const Brea
     if (!growth.needed()) return {};
     CrackEvaluation evaluation{now.strains, now.hinges, stage.begin, stage.end, stage.waited, {}, {}};
     evaluation.is_opening = [&stepper](Index edge) { return stepper.cohesive_share(edge) > 0; };
-    // In explicit steps, of fast plates, energy oscillates too much; hinges that are not coupled have no
-    // usable energy.
+    // Without an equilibrium, tips are evaluated by stress: in explicit steps, in which the energy of fast
+    // plates oscillates too much, and with hinges that are not coupled, whose energy is not usable at tips.
     if (stepper.scheme() != Scheme::explicit_differences && stepper.coupled_bending() != nullptr &&
         !growth.tips().empty())
         evaluation.equilibrium = {stepper.position, stepper.elastic_gradient(), stepper.crack_face_forces(),

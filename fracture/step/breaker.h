@@ -25,43 +25,47 @@ struct Measured {
 /// A stage of breaking in the open step.
 struct BreakingStage {
     std::int64_t step = 0;      ///< number of the step
-    double begin = 0, end = 0;  ///< s, of the step
+    double begin = 0, end = 0;  ///< s, beginning and end of the step
     Index number = 0;
     double waited = 0;  ///< s: see CrackEvaluation
 };
 
-/// Outcome of a stage: whether the sheets have changed, or had to stay because of the limit on stages.
+/// Outcome of a stage: whether the sheets have changed; `capped`: edges were about to fail, but the limit on
+/// stages prevented it.
 enum class StageOutcome { unchanged, capped, broken };
 
 /// Breaks the sheets of a simulation: finds the edges that fail, opens the mesh there, passes the change on
-/// to all that refers to the mesh, and records it. Steppers given to its functions must be those of the
-/// sheets, with an open step.
+/// to all objects that refer to the mesh, and records it. A stepper given to its functions must be the
+/// stepper of the sheets; for functions that change the sheets, a step must be open.
 class Breaker {
   public:
-    /// Opens the cracks that the options have from the start. The sheets must outlive this object.
+    /// Opens options.cracks, which exist from the start. The sheets must outlive this object.
     Breaker(BreakableShell& sheets, const SimulationOptions& options);
-    Breaker(const Breaker&) = delete;  // parts refer to the sheets
+    Breaker(const Breaker&) = delete;  // members refer to the sheets
 
     /// Strains and measures at the stepper's position.
     Measured measured(const Stepper& stepper) const;
-    /// Measures of the hinges of some edges alone, to the last bit.
+    /// Measures of the hinges of some edges alone, with the same bits.
     std::vector<HingeMeasure> measured(std::span<const Edge> edges, const Stepper& stepper) const;
     /// Whether any edge fails, by strength or by toughness.
     bool fails(const Measured& now, const BreakingStage& stage, Stepper& stepper);
-    /// Makes the most overloaded edges fail, and opens the mesh, unless that is forbidden by `may_break`.
+    /// Makes the most overloaded edges fail, propagates cracks by toughness, and opens the mesh; if
+    /// `may_break` is false, changes nothing.
     StageOutcome break_stage(const Measured& now, const BreakingStage& stage, bool may_break,
                              Stepper& stepper);
-    /// Makes all overloaded edges fail, by the paper's rule. Returns the number of stages.
+    /// Makes all overloaded edges fail, by the paper's rule, and propagates cracks by toughness. Returns the
+    /// number of stages, 0 to 2.
     Index break_at_once(const Measured& now, BreakingStage stage, Stepper& stepper);
-    /// Makes the hinges of edges fail, whatever their strength. measures: of these hinges.
+    /// Makes the hinges of edges fail, whatever their strength. measures: measures of these hinges, for the
+    /// record.
     void break_given(std::span<const Edge> edges, std::span<const HingeMeasure> measures,
                      const BreakingStage& stage, Stepper& stepper);
 
-    /// Records the measures in a solution, which replace those of an earlier attempt at the step.
+    /// Records the measures of a solution. They replace the measures of an earlier attempt at the step.
     void record_measures(const HingeMeasures& measures) { hinge_peaks.record(shell, measures); }
     /// Must be called when a step ends, at `time` (s): completes its events. broken: whether anything failed.
     void finish_step(std::int64_t step, double time, bool broken);
-    /// Must be called after break_given().
+    /// Must be called after break_given(): completes its events. time: s.
     void finish_given(std::int64_t step, double time);
 
     /// Returns the crack events since the last call.
@@ -69,8 +73,9 @@ class Breaker {
     const std::vector<Gauge>& gauges() const { return all_gauges; }
     const Fragments& fragments() const { return pieces; }
     const HingePeaks& peaks() const { return hinge_peaks; }
-    double residual() const { return residual_now; }                            ///< J, of residual stress
-    double residual_taken() const { return residual_at_start - residual_now; }  ///< J, by cracks so far
+    double residual() const { return residual_now; }  ///< J, stored by residual stress
+    /// Energy of residual stress that cracks have released so far, J.
+    double residual_taken() const { return residual_at_start - residual_now; }
     /// Number of edges that ArtDirection::smallest has kept from failing.
     Index prevented_failures() const { return prevented; }
     /// Number of edges that have failed by toughness, nucleation included.
@@ -83,27 +88,28 @@ class Breaker {
 
   private:
     void record_fragments(std::int64_t step);
-    /// Opens the cracks of the start, and records them as events. Returns the sheets.
+    /// Opens the cracks that exist from the start, and records them as events. Returns the sheets.
     BreakableShell& with_cracks(BreakableShell& sheets, std::span<const Edge> cracks);
-    /// Next edges of cracks by toughness.
+    /// The next edges of cracks in sheets that have a toughness.
     std::vector<CrackStep> next_crack_steps(const Measured& now, const BreakingStage& stage,
                                             Stepper& stepper);
-    /// Returns the edges that may fail in a stage: see ArtDirection::smallest.
+    /// Returns `edges` without those that must not fail: see ArtDirection::smallest.
     std::vector<Edge> allowed(std::vector<Edge> edges);
     void fail(std::span<const Edge> edges, std::span<const HingeMeasure> measures, const BreakingStage& stage,
               Stepper& stepper, const std::optional<Opening>& opening = {});
     /// Propagates cracks, one edge after the other. Returns whether the shell has changed.
     bool grow(std::span<const CrackStep> crack_steps, const BreakingStage& stage, Stepper& stepper);
-    /// Inserts an edge along the ray of a step, and keeps the edges of the steps `made_before`.
+    /// Makes an edge along the ray of `crack_step`, and keeps the edges of the steps `made_before` as they
+    /// are. Returns nothing if there is no such edge.
     std::optional<BreakableShell::Advanced> make_edge(const CrackStep& crack_step,
                                                       std::span<const CrackStep> made_before,
                                                       const BreakingStage& stage, Stepper& stepper);
     /// Breaks the edge of a crack that propagates by toughness, and releases residual stress.
     void fail_by_toughness(Edge edge, const BreakingStage& stage, Stepper& stepper);
-    /// Opening of the edge of a crack that propagates by toughness; none if `available`, the energy released
-    /// already, J, suffices.
+    /// Gradual opening of the edge of a crack that propagates by toughness; nothing if `available`, J, the
+    /// energy released already, is as large as the fracture energy of the edge.
     std::optional<Opening> opening_of(Edge edge, double available) const;
-    /// Updates all that refers to the sheets after a change of them.
+    /// Updates all objects that refer to the sheets after a change of the sheets.
     void follow_change(const BreakableShell::Change& change, const BreakingStage& stage, Stepper& stepper);
     void record_failures(std::span<const Edge> edges, std::span<const HingeMeasure> measures,
                          const BreakingStage& stage);
@@ -112,7 +118,7 @@ class Breaker {
     bool staged;  ///< BreakingRule::staged
     std::vector<Gauge> all_gauges;
     CrackEvents events;
-    double residual_at_start = 0, residual_now = 0;  ///< J
+    double residual_at_start = 0, residual_now = 0;  ///< J, stored by residual stress
     BreakableShell& shell;
     CrackGrowth growth;
     Fragments pieces;

@@ -9,7 +9,7 @@
 namespace sherd {
 namespace {
 
-/// Sets the prescribed motion of a vertex alone.
+/// Sets the prescribed motion of one vertex. shared: see prescribe().
 void set_motion(Shell& shell, std::size_t shared, Index vertex, const Motion& motion) {
     Index& script = shell.script[vertex];
     // A split vertex shares its motion with its copies.

@@ -15,10 +15,10 @@
 namespace sherd {
 namespace {
 
-/// Limit between two stages. Few iterations suffice: the next failures depend on the strains near the edges
-/// that have just failed.
+/// Limit on the iterations between two stages. Few suffice: the next failures depend on the strains near the
+/// edges that have just failed.
 constexpr int iterations_between_stages = 10;
-constexpr double no_freedom = 1e-9;  // projections below this are round-off
+constexpr double no_freedom = 1e-9;  // entries of a projection below this are round-off
 
 /// Returns Snapshot::edge_cohesive_share, [E].
 std::vector<double> cohesive_shares(std::span<const EdgeState> states, const Stepper& stepper) {
@@ -38,15 +38,15 @@ StepperOptions stepper_options(const SimulationOptions& options, const Shell& sh
     return result;
 }
 
-/// Energy that all sheets and bodies gain by falling a tenth of a thickness, J: bounces of no more energy are
-/// no impacts.
+/// Energy that all sheets and bodies gain by falling a tenth of a thickness, J: a bounce of no more energy is
+/// no impact.
 double little_fall(const Shell& shell, const StepperOptions& options) {
     double moment = shell.mass.dot(shell.thickness);
     for (const RigidBody& body : options.contact.bodies) moment += body.mass * shell.thickness.mean();
     return 0.1 * options.gravity.norm() * moment;
 }
 
-/// The number of `one` in a list, from 1. It is appended when it is not there.
+/// Returns the number of `one` in the list `all`, from 1. Appends `one` if it is not in the list.
 template <class T>
 std::size_t number_in(std::vector<T>& all, const T& one) {
     const auto number = static_cast<std::size_t>(std::find(all.begin(), all.end(), one) - all.begin());
@@ -103,17 +103,17 @@ StepReport Simulation::step() try {
     report.step = ++steps;
     policy.begin_step();
     for (;;) {
-        Attempt attempt{stepper->begin(policy.size())};                        // predict, up to contact
-        if (attempt) attempt.result = stepper->solve(options.max_iterations);  // forces and contact
+        Attempt attempt{stepper->begin(policy.size())};                        // predicts, up to contact
+        if (attempt) attempt.result = stepper->solve(options.max_iterations);  // balances all forces
         attempt.urgency = policy.urgency(attempt.result);
         report.newton_iterations += attempt.result.iterations;
         if (attempt) {
             const Stopwatch watch(stepper->time_spent(), Task::breaking);
             breakable.hold_back(time() + policy.size());
             const Measured now = breaker.measured(*stepper);  // strains and measures of hinges
-            attempt.urgency = evaluate(now, report);          // whether steps must be shorter, or explicit
+            attempt.urgency = evaluate(now, report);          // checks whether another attempt is needed
             const bool staged = options.rule == BreakingRule::staged && !ends_at_crack;
-            if (attempt && staged) attempt = break_in_stages(now, report);  // break, split, solve again
+            if (attempt && staged) attempt = break_in_stages(now, report);  // breaks, solves again
             if (attempt && !staged) break_at_once(now, report);
         }
         if (attempt) break;
@@ -123,8 +123,8 @@ StepReport Simulation::step() try {
     report.step_size = policy.size();
     stepper->finish();
     policy.advance();
-    report_state(report);  // energies and peaks
-    enable_contact();      // contact again
+    report_state(report);  // reports energies and peaks
+    enable_contact();      // re-enables contact
     policy.finish_step({report.peak_overload, report.stages > 0, report.contact, 0,
                         report.kinetic + report.bending + report.membrane + report.contact});
     take_scheme();
@@ -187,7 +187,7 @@ Attempt Simulation::break_in_stages(Measured now, StepReport& report) {
 }
 
 void Simulation::break_at_once(const Measured& now, StepReport& report) {
-    // By the paper's rule hinges break after the solution that balances the reactions.
+    // By the paper's rule, hinges break after the solution. The reactions are in balance before they break.
     report.reactions = stepper->reactions();
     report.stages += breaker.break_at_once(now, this_stage(report), *stepper);
 }
@@ -251,7 +251,7 @@ bool Simulation::release_apart(const std::vector<RigidBody>& bodies) {
 }
 
 void Simulation::enable_contact() {
-    // Contacts are those of the stepper that made the step; one of another scheme has yet to begin.
+    // Must precede take_scheme(): a stepper of another scheme has no contacts before it begins a step.
     const Stopwatch watch(stepper->time_spent(), Task::contact);
     if (release_apart(bodies())) stepper->topology_changed({});
 }
@@ -319,8 +319,8 @@ void Simulation::report_gauges(StepReport& report) const {
 void Simulation::break_by_hand(std::span<const Edge> edges) {
     require_hinges(breakable, edges);
     const std::vector<HingeMeasure> measures = breaker.measured(edges, *stepper);
-    // A change of the shell needs an open step. The next begin() discards that step and books the energy that
-    // is lost.
+    // A change of the shell needs an open step. The next begin() discards this step, and enters the energy
+    // that is lost in the balance.
     if (const StepResult begun = stepper->begin(policy.size()); begun.outcome == Outcome::failed)
         throw Error(where() + begun.why, Fault::run);
     breaker.break_given(edges, measures, {steps, time(), time(), 0, 0}, *stepper);

@@ -4,9 +4,13 @@
 namespace sherd {
 namespace {
 
-constexpr double impact_share = 5e-3;                         // share of the largest energy, in a step
-constexpr double near_failure = 0.7;                          // overload, which implicit steps underestimate
-constexpr int few_implicit_steps = 8, most_quiet_steps = 64;  // implicit steps; whole steps
+// Energy that makes a contact an impact in a step, over the largest energy so far.
+constexpr double impact_share = 5e-3;
+// Overload of an edge near failure; implicit steps underestimate overloads.
+constexpr double near_failure = 0.7;
+// few_implicit_steps: if explicit steps begin again after fewer implicit steps, the implicit steps had begun
+// too early. most_quiet_steps: limit on the numbers of quiet and of forced whole steps.
+constexpr int few_implicit_steps = 8, most_quiet_steps = 64;
 
 }  // namespace
 
@@ -54,7 +58,7 @@ void StepPace::begin_forced_implicit() {
 
 bool StepPace::explicit_finished(const StepActivity& step, bool whole) {
     largest_energy = std::max(largest_energy, step.energy);
-    // Vibrations that break nothing are ignored: they only decay.
+    // Vibrations that break no edge are ignored: they only decay.
     has_failed = has_failed || step.fails;
     contact.add(step.contact);
     if (!whole) return false;

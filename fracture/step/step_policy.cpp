@@ -7,7 +7,7 @@
 namespace sherd {
 namespace {
 
-/// Number of times that a step must be halved to be at most `length`.
+/// Number of times that a step of `step` s must be halved to be at most `length` s.
 int halvings_to(double length, double step) {
     return std::max(0, static_cast<int>(std::ceil(std::log2(step / length))));
 }

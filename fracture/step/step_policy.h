@@ -9,9 +9,9 @@
 
 namespace sherd {
 
-/// An attempt at a step, as far as it came.
+/// An attempt at a step, which may have ended before the end of the step.
 struct Attempt {
-    StepResult result = {};           ///< result of its last part
+    StepResult result = {};           ///< result of the last part of the attempt: beginning or solution
     Urgency urgency = Urgency::none;  ///< reason for another attempt
 
     explicit operator bool() const { return result && urgency == Urgency::none; }
@@ -25,8 +25,8 @@ struct SchemeChoice {
     bool operator==(const SchemeChoice&) const = default;
 };
 
-/// Decides on length and scheme of each step, and of the next attempt at a step after one in vain. Holds the
-/// clock of a run.
+/// Decides on length and scheme of each step, and of the next attempt at a step after a failed attempt. Holds
+/// the time of a run.
 class StepPolicy {
   public:
     /// energy_floor: see StepPace.
@@ -40,16 +40,17 @@ class StepPolicy {
 
     /// Must be called before the first attempt at a step.
     void begin_step() { is_fallback_tried = false; }
-    /// The reason for another attempt after a result; none after one that is `done`.
+    /// Returns the reason for another attempt after `result`; Urgency::none if its outcome is `done`.
     Urgency urgency(const StepResult& result) const;
     /// Whether explicit steps may replace an implicit one that has been solved: see urgency_of().
     bool can_switch_to_explicit() const { return alternates && !is_explicit(); }
     /// Returns the urgency of an implicit step that has been solved.
     Urgency urgency_of(const StepActivity& solved) const { return pace.urgency_of(solved); }
-    /// Prepares another attempt after one in vain: with the other scheme, or half the step. Books a change of
-    /// scheme, or a halving, in the report. Returns false if nothing is left to try.
+    /// Prepares another attempt after the failed attempt `last`: with the other scheme, or with half the
+    /// length. Enters the change of scheme, or the halving, in the report. Returns false if no other attempt
+    /// is left.
     bool retry(const Attempt& last, StepReport& report);
-    /// Must be called when a step ends: sets the clock to its end.
+    /// Must be called when a step ends: sets time() to its end.
     void advance() { step_size.advance(); }
     /// Chooses the scheme of the next step, after advance().
     void finish_step(const StepActivity& step);
@@ -65,12 +66,12 @@ class StepPolicy {
     void switch_to_implicit();
 
     bool alternates;        ///< SimulationOptions::alternates
-    int explicit_halvings;  ///< halvings of the nominal step, to the length of explicit ones
+    int explicit_halvings;  ///< number of halvings from the nominal length to that of explicit steps
     Scheme scheme;
-    /// Whether steps are explicit because implicit ones have failed, too: overlaps may then exceed those that
-    /// barriers permit.
+    /// Whether steps are explicit because implicit steps have failed, too: overlaps may then exceed those
+    /// that barriers permit.
     bool is_explicit_fallback = false;
-    bool is_fallback_tried = false;  ///< whether this has been tried in the open step
+    bool is_fallback_tried = false;  ///< whether this fallback has been tried in the open step
     StepSize step_size;
     StepPace pace;
 };

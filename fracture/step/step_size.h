@@ -6,13 +6,13 @@
 
 namespace sherd {
 
-/// The length of time steps: the nominal one, halved when a step has to be shorter, and doubled after four
-/// steps that succeed. No step crosses a multiple of the nominal length.
+/// The length of time steps: the nominal one, halved when a step has to be shorter, and doubled again after
+/// four successful steps. No step crosses a multiple of the nominal length.
 class StepSize {
   public:
     static constexpr int most_halvings = 10;  ///< the smallest step is 1/1024 of the nominal one
 
-    /// nominal: s.
+    /// nominal: nominal length, s.
     explicit StepSize(double nominal) : nominal(nominal) {}
 
     double size() const { return seconds(ticks()); }  ///< s, length of the next step
@@ -21,7 +21,7 @@ class StepSize {
     bool can_halve() const { return length > smallest; }
     /// Halves the next step. Returns false when it has the smallest length already.
     bool halve();
-    /// Sets the length of all steps until resume(): the nominal one, halved so many times.
+    /// Sets the length of all steps until resume() to the nominal length, halved `halvings` times.
     void keep(int halvings);
     void resume();
     /// Whether the next step begins at a multiple of the nominal length.
@@ -30,12 +30,13 @@ class StepSize {
     void advance();
 
   private:
-    static constexpr int required_successes =
-        4;  // steps in succession that succeed before a longer one is tried
+    // Number of successful steps in succession before a longer step is tried.
+    static constexpr int required_successes = 4;
     // Lengths are multiples of a tick, so that times have no round-off that adds up.
     static constexpr std::int64_t smallest = 1024, whole = smallest << most_halvings;
 
-    /// Length of the next step: the rest up to a multiple of the nominal length is divided evenly.
+    /// Length of the next step, ticks: all that is left up to the next multiple of the nominal length, if
+    /// this is at most `length`; half of it, if it is less than two lengths; else `length`.
     std::int64_t ticks() const {
         const std::int64_t left = whole - done % whole;
         return left <= length ? left : left < 2 * length ? (left + 1) / 2 : length;
@@ -46,10 +47,10 @@ class StepSize {
     }
 
     double nominal;
-    std::int64_t done = 0;        ///< ticks
-    std::int64_t length = whole;  ///< ticks, length of the next step if there is room
-    int successes = 0;            ///< steps since the last change of length
-    bool is_kept = false;         ///< whether the length stays
+    std::int64_t done = 0;        ///< ticks, end of the last step
+    std::int64_t length = whole;  ///< ticks, length of the next step if enough is left
+    int successes = 0;            ///< successful steps since the last change of length
+    bool is_kept = false;         ///< whether the length stays until resume()
 };
 
 }  // namespace sherd

@@ -42,9 +42,9 @@ void require_delaunay(const GenerateOptions& options, const char* shape) {
                 ", only of a rectangle and a cylinder");
 }
 
-/// Number of vertices to add to `boundary` vertices so that triangles of the target size cover `area` (m^2),
-/// by Euler's formula. `characteristic`: Euler characteristic of the surface, 0 for a ring, 1 for a disc, 2
-/// for a sphere.
+/// Returns the number of vertices to add to `boundary` vertices so that triangles with edges of `edge_length`
+/// (m) cover `area` (m^2), by Euler's formula. characteristic: Euler characteristic of the surface, 0 for a
+/// ring, 1 for a disc, 2 for a sphere.
 std::size_t free_vertices(double area, double edge_length, std::size_t boundary, int characteristic) {
     const double faces = spacing::crowding * area / (std::sqrt(3.0) / 4 * edge_length * edge_length);
     const double inner = (faces - static_cast<double>(boundary)) / 2 + characteristic;
@@ -58,7 +58,7 @@ class Rectangle final : public Surface {
     Vector2d project(const Vector3d& point, const Vector2d&) const override { return point.head<2>(); }
 };
 
-/// Evenly spaced points around the rectangle, counterclockwise from the origin.
+/// Returns evenly spaced points around the rectangle, counterclockwise from the origin.
 std::vector<Vector2d> outline(const Vector2d& size, double edge_length) {
     const std::size_t nx = pieces(size.x(), edge_length), ny = pieces(size.y(), edge_length);
     const auto part = [](std::size_t i, std::size_t n) { return double(i) / double(n); };
@@ -90,7 +90,8 @@ SurfacePoints spread(const Vector2d& size, const GenerateOptions& options) {
     return points;
 }
 
-/// Grid of nx by ny cells with parallel diagonals; in a closed grid the last column is joined to the first.
+/// Returns a grid of nx by ny cells with parallel diagonals; in a closed grid the last column is joined to
+/// the first.
 template <typename Position>
 Mesh grid(std::size_t nx, std::size_t ny, bool is_closed, Position position) {
     Mesh mesh;
@@ -131,7 +132,8 @@ void check_profile(std::span<const Vector2d> profile) {
         fail("its profile lies on the axis");
 }
 
-/// The largest possible edge length: five edges fit around every neck and rim, and one along the profile.
+/// Returns the largest possible edge length, m: five edges fit around every neck and rim, and one along the
+/// profile.
 double largest_edge_length(std::span<const Vector2d> profile, double length) {
     double largest = length;
     for (std::size_t i = 0; i < profile.size(); ++i) {
@@ -145,8 +147,8 @@ double largest_edge_length(std::span<const Vector2d> profile, double length) {
     return largest;
 }
 
-/// Arc lengths of the circles with fixed vertices: both ends, and corners that are not too close to another
-/// circle.
+/// Returns the arc lengths (m) of the circles with fixed vertices: both ends of the profile, and corners that
+/// are wide enough and not too close to another circle.
 std::vector<double> fixed_circles(const Revolution& surface, double edge_length) {
     std::vector<double> circles{0};
     for (const double corner : surface.corners(spacing::corner_degrees)) {
@@ -162,7 +164,7 @@ std::vector<double> fixed_circles(const Revolution& surface, double edge_length)
 /// of a sector, and rows between them.
 class RevolutionSpread {
   public:
-    /// angle: rad, of the sector; 2 pi: a whole surface.
+    /// angle: rad, angle of the sector; 2 pi for a whole surface.
     RevolutionSpread(const Revolution& surface, double angle, const GenerateOptions& options)
         : surface(surface),
           angle(angle),
@@ -185,7 +187,7 @@ class RevolutionSpread {
     }
 
   private:
-    /// Adds a circle and returns the number of its vertices; 1 on the axis.
+    /// Adds the circle at an arc length (m). Returns the number of its vertices, which is 1 on the axis.
     std::size_t add_circle(double along, bool is_rim) {
         const double radius = surface.radius(along);
         if (radius == 0 && along > 0) {
@@ -205,8 +207,8 @@ class RevolutionSpread {
         return count;
     }
 
-    /// Adds the sides of a sector between two circles, without their ends, and returns the number of
-    /// vertices.
+    /// Adds vertices on the two sides of a sector between two circles, but not on these. Returns their
+    /// number.
     std::size_t add_sides(double from, double to) {
         const std::size_t edges = pieces(to - from, edge_length);
         for (std::size_t i = 1; i < edges; ++i)
@@ -243,7 +245,8 @@ class RevolutionSpread {
         }
     }
 
-    /// Angle that leaves space for the vertices on the sides of a sector.
+    /// Maps an angle of the sector to a narrower range, which leaves space for the vertices on the sides of
+    /// the sector.
     double between_sides(double around, double along) const {
         if (is_whole) return around;
         const double margin = std::min(spacing::half_row * edge_length / surface.radius(along), angle / 4);
@@ -256,14 +259,14 @@ class RevolutionSpread {
     double edge_length;
     Random random;
     SurfacePoints points;
-    std::vector<std::size_t> counts;  ///< number of vertices of each circle, and of the sides above it
+    std::vector<std::size_t> counts;  ///< number of vertices on each circle and the sides up to the next
 };
 
 constexpr double whole_turn = 360;  // degrees
 
 Mesh revolve(std::span<const Vector2d> profile, double degrees, const GenerateOptions& options) {
     const double angle = degrees / whole_turn * (2 * pi);
-    // A vertex never moves by more than its edges in one iteration.
+    // In one iteration, a vertex never moves by more than the length of its edges.
     const Revolution surface(profile, 2 * options.edge_length);
     const bool is_whole = degrees == whole_turn;
     require_edge_length(options,
@@ -323,7 +326,8 @@ Mesh generate_sphere(double radius, const GenerateOptions& options) {
     require_positive(radius, "radius");
     require_delaunay(options, "sphere");
     require_edge_length(options, radius);
-    // The polygon is so fine that moving the vertices onto the sphere at the end has no visible effect.
+    // The profile is so fine a polygon that moving the vertices onto the sphere at the end has no visible
+    // effect.
     const auto count = std::size_t(std::ceil(pi / std::sqrt(1e-3 * options.edge_length / radius)));
     std::vector<Vector2d> profile{{0, radius}};
     for (std::size_t i = 1; i < count; ++i) {

@@ -15,7 +15,7 @@ enum class Layout {
 };
 
 struct GenerateOptions {
-    double edge_length = 0.01;  ///< m, target
+    double edge_length = 0.01;  ///< m, target length of edges
     Layout layout = Layout::delaunay;
     unsigned seed = 1;  ///< meshes of different seeds have the same shape and quality
 };
@@ -28,19 +28,20 @@ Mesh generate_disc(double radius, const GenerateOptions& options);
 Mesh generate_cylinder(double radius, double height, const GenerateOptions& options);
 /// Meshes a closed sphere of `radius` (m) about the origin, with normals outward.
 Mesh generate_sphere(double radius, const GenerateOptions& options);
-/// Meshes the surface of revolution about the z axis of a polyline of (r, z) points (m) with r >= 0, ordered
-/// from the axis (or the inner rim) outward. A point with r = 0 may only be the first or the last, and closes
-/// the surface there. Normals point to the left of the profile's direction in the (r, z) half-plane: for a
-/// bowl drawn from its bottom to its rim, to its inside.
+/// Meshes the surface of revolution about the z axis of a polyline, the profile, of (r, z) points (m) with r
+/// >= 0, ordered from the axis (or the inner rim) outward. A point with r = 0 may only be the first or the
+/// last, and closes the surface there. Normals point to the left of the direction of the profile in the (r,
+/// z) half-plane: for a bowl drawn from its bottom to its rim, to its inside.
 ///
-/// degrees: the surface is the sector between the angles 0 (the x axis) and this, counterclockwise. Below 360
-/// its profile may not touch the axis, and its layout can be structured.
+/// degrees: the surface is a sector about the z axis, from the angle 0 (the x axis) counterclockwise to
+/// `degrees`. If this is below 360, the profile may not touch the axis, and the layout may be structured.
 Mesh generate_revolution(std::span<const Eigen::Vector2d> profile, const GenerateOptions& options,
                          double degrees = 360);
 
-/// Meshes a polygon in the plane z = 0, with normals along +z. Its lines have vertices at corners that turn
-/// by more than 20 degrees, and evenly spaced ones between them, so that a curve may be given by many points.
-/// Along slits the mesh is open: their vertices are doubled, except at ends inside.
+/// Meshes a polygon in the plane z = 0, with normals along +z. Its lines (outline, holes and slits) have
+/// vertices at corners where they turn by more than 20 degrees, and evenly spaced vertices between corners,
+/// so that a curve may be given by many points. Along slits the mesh is open: vertices on slits are doubled,
+/// except at ends inside the region.
 Mesh generate_polygon(const Polygon& polygon, const GenerateOptions& options);
 
 }  // namespace sherd

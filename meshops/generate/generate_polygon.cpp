@@ -19,9 +19,9 @@ using Eigen::Vector2d;
 using Pair = std::array<std::size_t, 2>;
 
 constexpr double nearest_to_side = 0.2;  // edge lengths: smallest distance of a free vertex from a line
-constexpr double fewest_around = 5;      // edges of a loop without corners
+constexpr double fewest_around = 5;      // smallest number of edges of a loop with few corners
 
-/// Straight lines, sorted into rows for a fast search. The height of a row is the edge length.
+/// The sides of all lines, sorted into rows for a fast search. The height of a row is the edge length.
 class OutlineSides {
   public:
     OutlineSides(const std::vector<Vector2d>& points, const std::vector<Pair>& borders,
@@ -42,7 +42,7 @@ class OutlineSides {
                 inside ^= p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
         return inside;
     }
-    /// Whether a point is nearer than `reach`, at most an edge length, to a line.
+    /// Whether a point is nearer than `reach` (m) to a line.
     bool is_near(const Vector2d& p, double reach) const {
         return any_in_rows(p.y() - reach, p.y() + reach,
                            [&](const Side& side) { return distance_from_side(p, side.a, side.b) < reach; });
@@ -108,7 +108,8 @@ double turn_degrees(const Vector2d& before, const Vector2d& here, const Vector2d
     return std::abs(std::atan2(u.x() * v.y() - u.y() * v.x(), u.dot(v))) * 180 / std::numbers::pi;
 }
 
-/// Divides the lines of a polygon into edges: vertices at all corners, evenly spaced between them.
+/// Divides the lines of a polygon into edges, with vertices at all corners and evenly spaced vertices between
+/// them.
 class Outlines {
   public:
     Outlines(const Polygon& polygon, double edge_length) : edge_length(edge_length) {
@@ -177,7 +178,8 @@ class Outlines {
         add_sections(slit, ends, is_free && ends.size() == 2 ? 2 : 1, slits);
     }
 
-    /// Divides the line between each two successive `ends`, into `least` edges or more.
+    /// Divides each section of a line between two successive `ends` into `least` edges or more, and adds
+    /// these to `edges`.
     void add_sections(const Polyline& line, const std::vector<std::size_t>& ends, std::size_t least,
                       std::vector<Pair>& edges) {
         for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
@@ -186,7 +188,7 @@ class Outlines {
             const double total = length(section);
             const std::size_t parts = std::max(least, spacing::pieces(total, edge_length));
             std::size_t before = number_of(section.front()), side = 0;
-            double passed = 0;  // m, up to the side's beginning
+            double passed = 0;  // m, length up to the beginning of the side
             for (std::size_t k = 1; k <= parts; ++k) {
                 const double wanted = total * double(k) / double(parts);
                 double own = (section[side + 1] - section[side]).norm();
@@ -209,7 +211,7 @@ class Outlines {
     std::map<Vector2d, std::size_t, Order> numbers;
 };
 
-/// Adds free points between the lines, one in each cell of a grid, at random.
+/// Adds free points between the lines at random, at most one in each cell of a grid.
 void fill(const OutlineSides& sides, const GenerateOptions& options, std::vector<Vector2d>& points) {
     const double cell = spacing::row_height / std::sqrt(spacing::crowding) * options.edge_length;
     const Vector2d lower = sides.bounds().min(), size = sides.bounds().sizes();

@@ -15,7 +15,7 @@ namespace {
 
 using Point2 = Kernel::Point_2;
 
-/// If more than one point in so many has to be inserted again, a new triangulation is faster.
+/// If more than a tenth of the points have to be inserted again, a new triangulation is faster.
 constexpr std::size_t many = 10;
 
 Point2 place_of(const Surface& surface, const Eigen::Vector2d& parameter) {
@@ -31,7 +31,7 @@ void throw_generation_error() {
 
 struct MovingDelaunay::Triangulation {
     using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Kernel>;
-    /// Side of the borders on which a face lies.
+    /// Whether a face lies outside or inside of the borders.
     enum class Where : char { unknown, outside, inside };
     using CreasedFace =
         CGAL::Triangulation_face_base_with_info_2<Where, Kernel,
@@ -46,8 +46,8 @@ struct MovingDelaunay::Triangulation {
 
     /// Flips edges until the triangulation is Delaunay. Requires that no triangle is turned over.
     void flip_edges();
-    /// Returns moved points to their earlier places until no triangle is turned over, and returns their
-    /// numbers. before: places of all points; the first `fixed` have not moved.
+    /// Puts moved points back to their earlier places until no triangle is turned over. Returns the numbers
+    /// of these points. before: earlier places of the points, except the first `fixed`, which have not moved.
     std::vector<std::size_t> put_back(const std::vector<Point2>& before, std::size_t fixed);
 };
 
@@ -165,7 +165,7 @@ bool MovingDelaunay::move() {
     return true;
 }
 
-/// Marks the faces outside and inside the borders, starting at infinity.
+/// Marks all faces as outside or inside of the borders, starting at infinity.
 void MovingDelaunay::mark() {
     std::vector<std::array<std::size_t, 2>> borders = points.borders;
     for (auto& [a, b] : borders)

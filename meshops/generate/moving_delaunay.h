@@ -7,22 +7,23 @@
 
 namespace sherd {
 
-/// Delaunay triangulation, in the chart, of points that move. The result equals that of a new triangulation,
-/// in a fraction of the time where most triangles stay as they are: points are moved, and edges flipped until
-/// all are Delaunay again (Lawson 1977).
+/// Delaunay triangulation, in the chart of a surface, of points that move. It is updated by moving its
+/// vertices and then flipping edges until all are Delaunay again (Lawson 1977). The result equals a new
+/// triangulation, but takes a fraction of the time if most triangles stay as they are.
 class MovingDelaunay {
   public:
     using Corners = std::array<std::size_t, 3>;
 
-    /// Surface and points must outlive this object. Throws Error if there are too few points for the shape.
+    /// `surface` and `points` must outlive this object. Throws Error if there are too few points for the
+    /// shape.
     MovingDelaunay(const Surface& surface, const SurfacePoints& points);
     ~MovingDelaunay();
 
-    /// Updates the triangulation after points that are not fixed have moved. Throws Error as the constructor
-    /// does.
+    /// Updates the triangulation after points, except the fixed ones, have moved. Throws Error as the
+    /// constructor does.
     void follow();
-    /// Returns the triangles of the surface, ascending, each with its lowest vertex first. The vertex at
-    /// infinity has the number after the last vertex.
+    /// Returns the triangles of the surface, ascending, each with its lowest vertex first. In a closed
+    /// surface, the vertex at infinity has the number after the last point.
     std::vector<Corners> triangles();
 
   private:

@@ -16,7 +16,7 @@ namespace {
 using Eigen::Vector2d;
 using Segment = std::array<Vector2d, 2>;
 
-constexpr double round_off = 1e-6;  // share of the outline's diagonal: nearer points coincide
+constexpr double round_off = 1e-6;  // fraction of the outline's diagonal: nearer points coincide
 
 Kernel::Point_2 exact(const Vector2d& p) {
     return {p.x(), p.y()};
@@ -107,7 +107,7 @@ std::string fault_of_hole(const Polygon& polygon, std::size_t number) {
     return {};
 }
 
-/// All sides of outline and holes.
+/// Returns all sides of outline and holes.
 std::vector<Segment> borders_of(const Polygon& polygon) {
     std::vector<Segment> all = sides_of(polygon.outline, true);
     for (const Polyline& hole : polygon.holes) {
@@ -122,7 +122,8 @@ bool is_on(const std::vector<Segment>& borders, const Vector2d& p, double reach)
         borders, [&](const Segment& side) { return distance_from_side(p, side[0], side[1]) <= reach; });
 }
 
-/// The points in which two sides meet: ends of one on the other, or where they cross.
+/// Returns the points in which two sides meet: ends of one side that are on the other, or the point where
+/// they cross.
 std::vector<Vector2d> meeting_points(const Segment& a, const Segment& b, double reach) {
     std::vector<Vector2d> found;
     const auto add = [&](const Vector2d& p, const Segment& other) {
@@ -139,7 +140,7 @@ std::vector<Vector2d> meeting_points(const Segment& a, const Segment& b, double 
     return found;
 }
 
-/// Fault of a slit where it meets earlier slits or itself; empty if there is none.
+/// Returns the fault of a slit where it meets itself or slits before it; empty if there is none.
 std::string fault_of_meetings(const Polygon& polygon, std::size_t number, double reach) {
     const std::vector<Segment> own = sides_of(polygon.slits[number], false);
     for (std::size_t i = 0; i <= number; ++i) {
@@ -165,7 +166,8 @@ std::string fault_of_slit(const Polygon& polygon, std::size_t number) {
     for (const auto& [side, end] : {std::pair(0u, 0), std::pair(unsigned(sides.size() - 1), 1)}) {
         Vector2d& tip = sides[side][end];
         const Vector2d inward = sides[side][1 - end] - tip;
-        // A slit that ends on an outline is checked from a point beside that.
+        // An end on the outline or on a hole is moved a little along the slit, so that the slit does not
+        // touch these if it has no fault.
         if (is_on(borders, tip, reach)) tip += std::min(0.5, 4 * reach / inward.norm()) * inward;
     }
     const Vector2d tip = sides.front()[0];
@@ -176,8 +178,8 @@ std::string fault_of_slit(const Polygon& polygon, std::size_t number) {
     return fault_of_meetings(polygon, number, reach);
 }
 
-/// Inserts `point` into the line's side `side`, on which it lies; an end of the side within `reach` (m) is
-/// moved there instead.
+/// Inserts `point` into the line's side number `side`, on which it lies. If an end of the side is within
+/// `reach` (m) of the point, it is moved there instead.
 void put(Polyline& line, std::size_t side, const Vector2d& point, double reach) {
     for (const std::size_t end : {side, (side + 1) % line.size()})
         if ((line[end] - point).norm() <= reach) {
@@ -187,7 +189,8 @@ void put(Polyline& line, std::size_t side, const Vector2d& point, double reach) 
     line.insert(line.begin() + static_cast<std::ptrdiff_t>(side) + 1, point);
 }
 
-/// Moves a slit's end onto the outline or hole that it is on.
+/// Moves `tip`, the end of a slit, onto the outline or hole that is within `reach` (m) of it, if any, and
+/// gives that a point there.
 void attach(Vector2d& tip, Polygon& polygon, double reach) {
     std::vector<Polyline*> loops{&polygon.outline};
     for (Polyline& hole : polygon.holes) loops.push_back(&hole);

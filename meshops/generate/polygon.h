@@ -11,33 +11,33 @@ namespace sherd {
 /// Points (m) that are joined by straight lines.
 using Polyline = std::vector<Eigen::Vector2d>;
 
-/// A flat region inside its outline and outside its holes, open along its slits. Outline and holes close by
-/// themselves and may have either orientation.
+/// A flat region inside its outline and outside its holes, open along its slits. Outline and holes are closed
+/// without repeating their first point, in any orientation.
 struct Polygon {
     Polyline outline;
     std::vector<Polyline> holes, slits;
 };
 
-/// Fault of a polygon, and the member that has it.
+/// Fault of a polygon, and the member of Polygon that has it.
 struct PolygonFault {
     std::string part;  ///< "outline", "holes" or "slits"
-    std::string what;  ///< without the part's name: "hole 2 crosses itself"; numbers are from 1
+    std::string what;  ///< such as "hole 2 crosses itself" (counted from 1); of the outline "crosses itself"
 };
 
-/// Returns a fault unless outline and holes are simple polygons of three points or more, holes are inside the
-/// outline and apart, and slits are inside the region. A slit may end on the outline or a hole, cross other
-/// slits and end on them.
+/// Returns a fault, if there is any. Outline and holes must be simple polygons of three points or more, holes
+/// must be inside the outline and apart from each other, and slits inside the region. A slit may end on the
+/// outline or on a hole, cross other slits and end on them.
 std::optional<PolygonFault> fault_of(const Polygon& polygon);
 
-/// Returns the polygon with common points at its junctions: ends of slits that are on the outline or a hole,
-/// up to round-off of their decimals, are moved onto it exactly and become points of both, and slits that
-/// meet get a point in both. The polygon must have no fault.
+/// Returns the polygon with a common point of the lines at each junction. The end of a slit that is on the
+/// outline or on a hole, up to the round-off of its decimals, is moved onto that line exactly, and the line
+/// gets a point there. Slits that meet get a point there, too. The polygon must have no fault.
 Polygon with_junctions(Polygon polygon);
 
 double area(const Polygon& polygon);  ///< m^2
-double length(const Polyline& line);  ///< m, without the side that closes it
+double length(const Polyline& line);  ///< m, length of the line; if it is a loop, without its last side
 
-/// Returns the distance (m) of a point from the straight line between two others.
+/// Returns the distance (m) of a point from the straight segment between `a` and `b`.
 double distance_from_side(const Eigen::Vector2d& point, const Eigen::Vector2d& a, const Eigen::Vector2d& b);
 
 }  // namespace sherd

@@ -21,7 +21,7 @@ std::vector<Vector3d> positions(const Surface& surface, const SurfacePoints& poi
     return result;
 }
 
-/// The smallest of all angles, rad.
+/// Returns the smallest angle of all triangles, rad.
 double smallest_angle(const std::vector<Vector3d>& place, const std::vector<Corners>& triangles) {
     double smallest = std::numbers::pi;
     for (const Corners& corners : triangles) {
@@ -34,8 +34,9 @@ double smallest_angle(const std::vector<Vector3d>& place, const std::vector<Corn
     return smallest;
 }
 
-/// The common point of the Voronoi cells of three corners: the circumcentre or, in an obtuse triangle, the
-/// point nearest to it, the middle of the longest side (which keeps a vertex's cell among its neighbours).
+/// Returns the common point of the Voronoi cells of the three corners of a triangle: the circumcentre or, in
+/// an obtuse triangle, the point of the triangle nearest to it, the middle of the longest side. (Thus the
+/// cell of a vertex stays within the triangles at the vertex.)
 Vector3d cell_corner(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
     const Vector3d u = b - a, v = c - a, n = u.cross(v);
     if (u.dot(v) <= 0) return (b + c) / 2;
@@ -52,7 +53,7 @@ void move_to_centroids(const Surface& surface, const std::vector<Vector3d>& plac
     for (const Corners& corners : triangles) {
         const auto &a = place[corners[0]], &b = place[corners[1]], &c = place[corners[2]];
         const Vector3d meeting = cell_corner(a, b, c);
-        // With the cells' common corner, each half of a side spans a part of a cell.
+        // Each half of a side spans, with the common point of the cells, a part of a cell.
         for (int side = 0; side < 3; ++side) {
             const std::size_t i = corners[side], j = corners[(side + 1) % 3];
             const Vector3d middle = (place[i] + place[j]) / 2;
@@ -84,7 +85,7 @@ Mesh build(const std::vector<Vector3d>& place, const std::vector<Corners>& trian
 }  // namespace
 
 Mesh relax(const Surface& surface, SurfacePoints points, int iterations) {
-    // Occasionally a thin triangle remains: then the iteration continues, at most for as long again.
+    // Occasionally a thin triangle remains: then up to as many iterations follow again.
     constexpr double good_angle = 25 * std::numbers::pi / 180;
     MovingDelaunay delaunay(surface, points);
     for (int i = 0;; ++i) {

@@ -12,7 +12,8 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Integral of ds / r along a straight segment of `length` (m) from radius `from` to radius `to` (m).
+/// Returns the integral of ds / r along a straight segment of `length` (m) from radius `from` to radius `to`
+/// (m).
 double chart_length(double from, double to, double length) {
     const double ratio = (to - from) / from;
     return std::abs(ratio) < 1e-9 ? length / from : length / (to - from) * std::log1p(ratio);
@@ -29,7 +30,7 @@ Revolution::Revolution(std::span<const Vector2d> profile, double reach)
         const double du = is_on_axis ? 0 : chart_length(profile[i - 1].x(), profile[i].x(), piece);
         log_radius.push_back(log_radius.back() + du);
     }
-    // With zero in the middle the chart's coordinates do not overflow.
+    // With u = 0 in the middle of the profile, the coordinates exp u do not overflow.
     const double middle = log_radius.back() / 2;
     for (double& u : log_radius) u -= middle;
 }

@@ -8,13 +8,14 @@
 
 namespace sherd {
 
-/// The surface that a polyline of (r, z) points sweeps about the z axis. Its parameters are the arc length
-/// along the profile (m) and the angle about the axis (rad). The chart has the polar coordinates (exp u,
-/// angle) with du = ds / r, which is conformal; an end of the profile on the axis is its origin (first end)
-/// or its infinity (last end).
+/// The surface that a polyline of (r, z) points, the profile, sweeps about the z axis. Its parameters are the
+/// arc length s along the profile (m) and the angle about the axis (rad). Its chart has the polar coordinates
+/// exp u, with du = ds / r, and the angle, and is conformal. If the first point of the profile is on the
+/// axis, it is the origin of the chart; if the last point is, it is at infinity.
 class Revolution final : public Surface {
   public:
-    /// reach: m; distance along the profile in which `project` searches.
+    /// reach: m; largest distance along the profile, from the parameters `near`, at which project() finds
+    /// points.
     Revolution(std::span<const Eigen::Vector2d> profile, double reach);
 
     Eigen::Vector3d position(const Eigen::Vector2d& parameter) const override;
@@ -25,13 +26,13 @@ class Revolution final : public Surface {
     double radius(double along) const { return at(along).x(); }
     bool starts_on_axis() const { return profile.front().x() == 0; }
     bool ends_on_axis() const { return profile.back().x() == 0; }
-    /// Area between two arc lengths, m^2.
+    /// Returns the area between two arc lengths, m^2.
     double area(double from, double to) const;
-    /// Arc lengths (m) of the profile's inner points where it turns by more than `degrees`.
+    /// Returns the arc lengths (m) of inner points of the profile where it turns by more than `degrees`.
     std::vector<double> corners(double degrees) const;
-    /// u at an arc length that is not on the axis.
+    /// Returns u at an arc length (m) that is not on the axis.
     double chart_radius(double along) const;
-    /// Range of u over the points that are not on the axis.
+    /// Returns the difference of u between the ends of the profile, without parts that reach the axis.
     double chart_range() const;
 
   private:
@@ -44,8 +45,8 @@ class Revolution final : public Surface {
     double reach;
 };
 
-/// A part of a surface of revolution that does not reach the axis, between two angles. Its chart is (u,
-/// angle), so that the sides are straight there.
+/// The part of a surface of revolution, which does not reach the axis, between two angles. Its chart is (u,
+/// angle), so that the two sides of the part are straight in the chart.
 class RevolutionSector final : public Surface {
   public:
     /// whole: must outlive this object.

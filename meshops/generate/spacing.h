@@ -12,11 +12,12 @@
 /// Spacing of the vertices of generated meshes.
 namespace sherd::spacing {
 
-inline constexpr int iterations = 20;  ///< enough for good angles, too few for the vertices to form long rows
-inline constexpr double row_height = 0.93;    ///< edge lengths: side of a square with the area of a vertex
+inline constexpr int iterations = 20;  ///< enough for good angles, too few for long rows of vertices to form
+inline constexpr double row_height = 0.93;    ///< edge lengths: side of a square with the area per vertex
 inline constexpr double half_row = 0.45;      ///< edge lengths: free width beside a line of fixed vertices
-inline constexpr double corner_degrees = 20;  ///< a line that turns by more has a vertex there
-/// Irregular triangles of a given mean edge length are slightly smaller than equilateral ones.
+inline constexpr double corner_degrees = 20;  ///< degrees: where a line turns by more, it has a vertex
+/// Factor of the number of triangles: irregular triangles of a given mean edge length are slightly smaller
+/// than equilateral ones.
 inline constexpr double crowding = 1.025;
 
 /// Returns the number of edges into which a line of `length` (m) is divided.

@@ -10,23 +10,25 @@
 
 namespace sherd {
 
-/// A surface to be meshed: a place in space for each pair of two parameters, and a flat chart, oriented
-/// counterclockwise seen from the side that the normals point to. The chart is conformal (small circles stay
-/// circles), so that Delaunay triangles of the chart are approximately Delaunay triangles of the surface.
+/// A surface to be meshed. A pair of parameters gives a position in space and a place in a flat chart. What
+/// is counterclockwise in the chart is so on the surface, seen from the side that the normals point to. The
+/// chart is conformal (small circles stay circles), so that Delaunay triangles of the chart are approximately
+/// Delaunay triangles of the surface.
 class Surface {
   public:
     virtual ~Surface() = default;
     virtual Eigen::Vector3d position(const Eigen::Vector2d& parameter) const = 0;
     virtual Eigen::Vector2d chart(const Eigen::Vector2d& parameter) const = 0;
-    /// Parameters of the point on the surface nearest to `point`, searched around `near`.
+    /// Returns the parameters of the point on the surface nearest to `point` (m), which is searched around
+    /// the parameters `near`.
     virtual Eigen::Vector2d project(const Eigen::Vector3d& point, const Eigen::Vector2d& near) const = 0;
 };
 
-/// Vertices on a surface, by parameters, before they are triangulated. `hole` and `fixed` are counts.
+/// Vertices on a surface, given by their parameters, before they are triangulated.
 struct SurfacePoints {
     std::vector<Eigen::Vector2d> parameter;
-    std::size_t hole = 0;                             ///< the first vertices, which lie around a hole
-    std::size_t fixed = 0;                            ///< the first vertices, which do not move
+    std::size_t hole = 0;   ///< number of the first vertices, which lie around a hole
+    std::size_t fixed = 0;  ///< number of the first vertices, which do not move
     std::vector<std::array<std::size_t, 2>> creases;  ///< pairs of fixed vertices that an edge must join
     /// Pairs of fixed vertices that an edge of the boundary must join. A point is inside if a line from it to
     /// infinity crosses an odd number of borders or, without any borders, if it is within the convex hull.
@@ -35,9 +37,9 @@ struct SurfacePoints {
     Eigen::Vector3d closing_point = Eigen::Vector3d::Zero();  ///< position of that vertex, m
 };
 
-/// Distributes the free points evenly, moving each to the centroid of its Voronoi cell `iterations` times (up
-/// to twice as often while there are thin triangles), and returns their Delaunay mesh, with the closing
-/// vertex last. Throws Error if there are too few points for the shape.
+/// Distributes the points that are not fixed evenly: moves each to the centroid of its Voronoi cell,
+/// `iterations` times, and up to as many times more while there are thin triangles. Returns the Delaunay mesh
+/// of all points, with the closing vertex last. Throws Error if there are too few points for the shape.
 Mesh relax(const Surface& surface, SurfacePoints points, int iterations);
 
 }  // namespace sherd

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// CGAL's trees of boxes around triangles. CGAL 6 gave the headers and types other names than CGAL 5 has.
+// CGAL's trees of boxes around triangles. Their headers and types have other names in CGAL 6 than in CGAL 5.
 #include <CGAL/AABB_tree.h>
 #if __has_include(<CGAL/AABB_traits_3.h>)
 #include <CGAL/AABB_traits_3.h>

@@ -10,7 +10,7 @@ namespace sherd {
 
 struct NearestTriangle::Tree {
     std::vector<Kernel::Triangle_3> triangles;
-    std::vector<std::size_t> numbers;  ///< number of each triangle in the input
+    std::vector<std::size_t> numbers;  ///< number of each triangle in the constructor's list
     AabbTree<TrianglePrimitive> boxes;
 };
 

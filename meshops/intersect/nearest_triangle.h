@@ -12,8 +12,8 @@ namespace sherd {
 /// Finds the triangle of a surface that is nearest to a point.
 class NearestTriangle {
   public:
-    /// points: [3, P] m; triangles: columns of points. Triangles without area are never the nearest. Throws
-    /// Error (input) when no triangle has an area.
+    /// points: [3, P] m; triangles: numbers of their corners, as columns of `points`. Triangles without area
+    /// are never the nearest. Throws Error (input) if no triangle has an area.
     NearestTriangle(const Eigen::Matrix3Xd& points, std::span<const std::array<std::int32_t, 3>> triangles);
     ~NearestTriangle();
     NearestTriangle(const NearestTriangle&) = delete;

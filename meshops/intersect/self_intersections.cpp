@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t faces_in_a_strip = 20000;
 
-/// An interval along y, m.
+/// An interval of the coordinate y, m.
 struct Extent {
     double lower = std::numeric_limits<double>::infinity(), upper = -lower;
     double length() const { return upper - lower; }
@@ -27,10 +27,12 @@ Extent extent_of(const Mesh& mesh, Face face) {
     return extent;
 }
 
-/// Faces of a mesh in strips along y, each face in all strips that it reaches. In a mesh that is flat in z
-/// CGAL compares all faces along a line at once, which takes time with the power 1.5 of their number.
+/// Returns lists of the faces of a mesh, one for each of several equal intervals of y; a face is in the lists
+/// of all intervals that it reaches. For a whole mesh that is flat in z, CGAL would compare each face with
+/// all faces in a row across the mesh, and its time would grow with the power 1.5 of the number of faces.
+/// With lists of limited length, the time is proportional to this number.
 std::vector<std::vector<Face>> strips(const Mesh& mesh) {
-    std::vector<Extent> extents(mesh.num_faces());  // including removed faces
+    std::vector<Extent> extents(mesh.num_faces());  // removed faces have an entry, too
     Extent all;
     double lengths = 0;
     for (const Face face : mesh.faces()) {
@@ -39,7 +41,7 @@ std::vector<std::vector<Face>> strips(const Mesh& mesh) {
         lengths += one.length();
     }
     const auto faces = static_cast<double>(mesh.number_of_faces());
-    // More strips would contain each face twice on the mean.
+    // With more intervals than this, a face would be in more than two of them on average.
     const double most = lengths > 0 ? all.length() * faces / lengths : 1;
     const double count = std::floor(std::clamp(faces / faces_in_a_strip, 1.0, std::max(most, 1.0)));
     const auto strip_at = [&](double y) {

@@ -8,8 +8,8 @@
 
 namespace sherd {
 
-/// Pairs of faces that have more in common than shared vertices and edges, in ascending order, by exact
-/// predicates; faces that only touch are included.
+/// Returns the pairs of faces that intersect or touch elsewhere than at vertices and edges that they share,
+/// by exact predicates. The pairs are in ascending order, each with its lower face first.
 std::vector<std::array<Face, 2>> self_intersections(const Mesh& mesh);
 
 }  // namespace sherd

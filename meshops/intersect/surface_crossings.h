@@ -9,8 +9,9 @@
 
 namespace sherd {
 
-/// Faces of a mesh that intersect or touch a triangle surface, ascending, by exact predicates. points: [P] m;
-/// triangles: numbers of points; those without area are ignored.
+/// Returns the faces of `mesh`, ascending, that intersect or touch the surface of `triangles`, by exact
+/// predicates. points: [P] m; triangles: numbers of their corners in `points`. Triangles and faces without
+/// area are ignored.
 std::vector<Face> surface_crossings(const Mesh& mesh, std::span<const Eigen::Vector3d> points,
                                     std::span<const std::array<std::int32_t, 3>> triangles);
 

@@ -10,14 +10,14 @@ namespace {
 
 using TriangleCorners = std::array<Eigen::Vector3d, 3>;
 
-/// Whether a gap separates the bounding boxes, as for most pairs.
+/// Whether the bounding boxes of two triangles are apart, which settles most pairs at little cost.
 bool boxes_part(const TriangleCorners& a, const TriangleCorners& b) {
     const auto lower = [](const TriangleCorners& c) { return c[0].cwiseMin(c[1]).cwiseMin(c[2]).eval(); };
     const auto upper = [](const TriangleCorners& c) { return c[0].cwiseMax(c[1]).cwiseMax(c[2]).eval(); };
     return (lower(a).array() > upper(b).array()).any() || (lower(b).array() > upper(a).array()).any();
 }
 
-/// Whether the side of one triangle that is opposite to its first corner meets another triangle.
+/// Whether the side of the triangle `of` that is opposite to its first corner meets the triangle `other`.
 bool side_meets(const TriangleCorners& of, const TriangleCorners& other) {
     const Kernel::Triangle_3 triangle(point_at(other[0]), point_at(other[1]), point_at(other[2]));
     const Kernel::Segment_3 side(point_at(of[1]), point_at(of[2]));

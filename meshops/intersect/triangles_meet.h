@@ -6,14 +6,15 @@
 
 namespace sherd {
 
-/// Two triangles by their corners, m, of which the first `shared` are the same points.
+/// Corners of two triangles, m. The first `shared` corners of `a` and `b` are the same points.
 struct TrianglePair {
     std::array<Eigen::Vector3d, 3> a, b;
     int shared = 0;
 };
 
-/// Whether two triangles have more in common than their shared corners, by exact predicates. Returns false
-/// for triangles that share an edge: they would have to lie on each other.
+/// Whether two triangles intersect or touch elsewhere than at their shared corners, by exact predicates.
+/// Returns false for triangles that share two corners: these could only meet elsewhere if one were folded
+/// onto the other.
 bool triangles_meet(const TrianglePair& pair);
 
 }  // namespace sherd

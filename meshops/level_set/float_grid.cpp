@@ -10,7 +10,8 @@
 namespace sherd {
 namespace {
 
-/// Whether indices of voxels around a place are in range; a damaged file may place them anywhere.
+/// Whether the indices of the voxels around `place`, given in voxels, fit into their integer type; the
+/// transform of a damaged file may give any place.
 bool has_voxels_around(const openvdb::Vec3d& place) {
     constexpr double most = 1 << 30;
     return std::abs(place.x()) < most && std::abs(place.y()) < most && std::abs(place.z()) < most;

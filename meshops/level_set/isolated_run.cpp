@@ -24,7 +24,7 @@
 namespace sherd {
 namespace {
 
-/// Memory shared by both processes; initially zero.
+/// Memory that this process and its copy share, initially zero.
 struct Report {
     enum class End { none, passed, failed } end;
     std::array<char, 2048> words;  ///< message of the exception; the last character stays 0
@@ -44,8 +44,8 @@ std::unique_ptr<Report, Unmap> shared_report() {
     return std::unique_ptr<Report, Unmap>(new (memory) Report{});
 }
 
-/// Ends TBB's threads, which TBB starts again when needed: a forked process lacks them, but may inherit a
-/// lock that one of them holds. Returns whether they have ended.
+/// Ends TBB's threads, which TBB starts again when needed. A forked process would lack these threads, but
+/// might inherit a lock that one of them holds. Returns whether they have ended.
 bool end_tbb_threads() {
     tbb::task_scheduler_handle tbb_threads{tbb::attach{}};
     return tbb::finalize(tbb_threads, std::nothrow);
@@ -66,8 +66,9 @@ void limit_memory(std::uint64_t more) {
         limit(RLIMIT_AS, pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) + more);
 }
 
-/// Suppresses output, core dumps and signal handlers of the copy, and ends it with its parent, whose locks it
-/// shares. Interruption is not changed: from a terminal it reaches both processes.
+/// Prepares the copy: suppresses its output, core dumps and signal handlers, and lets it end with its parent,
+/// whose file locks it shares. The handling of SIGINT is not changed: from a terminal, this signal reaches
+/// both processes.
 void be_shadow_of(pid_t parent) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent) _exit(0);
@@ -77,8 +78,8 @@ void be_shadow_of(pid_t parent) {
     for (const int output : {STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, output);
 }
 
-/// Runs `work`, reports its result and ends the process; noexcept ends it also if something other than a
-/// std::exception is thrown.
+/// Runs `work`, reports its result and ends the process. Since the function is noexcept, an exception that is
+/// no std::exception ends the process, too.
 [[noreturn]] void perform(const std::function<void()>& work, const IsolationLimits& limits,
                           Report& report) noexcept {
     limit(RLIMIT_CPU, limits.seconds);
@@ -92,7 +93,7 @@ void be_shadow_of(pid_t parent) {
         std::copy_n(words.begin(), std::min(words.size(), report.words.size() - 1), report.words.begin());
         report.end = Report::End::failed;
     }
-    _exit(0);  // skips static destructors and buffered output: the parent has both
+    _exit(0);  // no static destructors, no writing of buffered output: the parent does both
 }
 
 }  // namespace

@@ -17,16 +17,17 @@ namespace sherd {
 
 namespace {
 
-/// Width of the band outside the surface, in voxels.
+/// Width, in voxels, of the layer on each side of a surface in which a level set has distances.
 constexpr float band = 3;
 constexpr const char* grid_name = "surface";
-/// Difference in thickness that is neglected, in voxels: otherwise each triangle of an uneven sheet would
-/// need a grid.
+/// Difference in thickness that is neglected, in voxels. Without it, each triangle of a sheet of varying
+/// thickness would need a grid of its own.
 constexpr double negligible = 0.01;
 
 using Triangles = std::vector<openvdb::Vec3I>;
 
-/// Triangles by thickness, m. Thicknesses that differ by at most `alike` (m) count as the thinnest of them.
+/// Returns the triangles of each thickness (m). Thicknesses that differ by at most `alike` (m) count as the
+/// smallest of them.
 std::map<double, Triangles> triangles_by_thickness(const TriangleSheet& sheet,
                                                    std::span<const double> thickness, double alike) {
     std::map<double, Triangles> exactly, result;
@@ -54,8 +55,8 @@ openvdb::FloatGrid::Ptr level_set_of(const std::vector<openvdb::Vec3s>& points, 
     return grid;
 }
 
-/// Replaces the random name that OpenVDB gives each file; it follows the magic number, three version numbers
-/// and a flag.
+/// Replaces the random UUID that OpenVDB gives each file, so that equal grids give equal files. In the file
+/// it follows the magic number, three version numbers and a flag.
 void replace_random_name(const std::filesystem::path& file) {
     constexpr std::streamoff place = 8 + 3 * 4 + 1;
     std::fstream stream(file, std::ios::binary | std::ios::in | std::ios::out);
@@ -63,7 +64,8 @@ void replace_random_name(const std::filesystem::path& file) {
     stream << "00000000-0000-4000-8000-000000000000" << std::flush;
 }
 
-/// Reads the file to check that it is complete, since OpenVDB does not notice a full disk.
+/// Reads the last grid of the file to check that the file is complete, since OpenVDB does not notice a full
+/// disk.
 void check_complete(const std::filesystem::path& file, const std::string& last_grid) {
     try {
         sample_float_grid(file, last_grid, {});

@@ -9,22 +9,23 @@
 
 namespace sherd {
 
-/// Approximate number of voxels that write_level_set() fills.
+/// Returns the approximate number of voxels that write_level_set() fills for the sheet. thickness: [T] m;
+/// voxel: m, side of a voxel.
 double expected_voxels(const TriangleSheet& sheet, std::span<const double> thickness, double voxel);
 
-/// A body with a closed surface, which faces outward.
+/// A body with a closed surface, whose normals point outward.
 struct LevelSetBody {
     std::string name;  ///< name of its grid
     TriangleSheet surface;
-    double voxel = 0;  ///< m
+    double voxel = 0;  ///< m, side of a voxel of its grid
 };
 
-/// Writes an OpenVDB file with the thickened sheet as a level set named `surface`: the distance from the
-/// sheet less half the thickness, negative inside, out to three voxels (a level set of the sheet itself would
-/// have no inside). thickness: [T] m, each at least twice the voxel's edge length `voxel` (m), or there would
-/// be holes. Thicknesses that differ by less than a hundredth of a voxel may count as one. Each body gets a
-/// grid of its own, whose distances reach three voxels inside, too. The same meshes give the same bytes.
-/// Throws Error (Fault::run) when the file cannot be written.
+/// Writes an OpenVDB file. Its grid `surface` is a level set of the sheet with its thickness (the sheet
+/// itself has no inside): the distance from the sheet less half the thickness, m, everywhere inside and up to
+/// three voxels outside. voxel: m, side of a voxel. thickness: [T] m, each at least twice `voxel`, or there
+/// would be holes. Thicknesses that differ by less than a hundredth of a voxel may count as equal. Each of
+/// `bodies` gets a level set of its own, whose distances reach three voxels inward and outward from its
+/// surface. The same meshes give the same bytes. Throws Error (Fault::run) if the file cannot be written.
 void write_level_set(const TriangleSheet& sheet, std::span<const double> thickness, double voxel,
                      std::span<const LevelSetBody> bodies, const std::filesystem::path& file);
 

@@ -22,19 +22,21 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double most_voxels = 1e8;  // 0.4 GB
-// Largest ratio of a voxel's sides in a level set; beyond it, the file is damaged or its transform wrong.
+constexpr double most_voxels = 1e8;  // 0.4 GB in single precision
+// Largest accepted ratio of the sides of a voxel in a level set; with a larger one the file is damaged or its
+// transform wrong.
 constexpr double most_oblong = 20;
-constexpr double layer_beyond = 3;  // voxels that the spline uses beyond the farthest point of evaluation
+constexpr double layer_beyond = 3;  // voxels: distances that the spline uses beyond `reach`
 
-/// Triangles and quadrilaterals in OpenVDB's types, m.
+/// A surface of triangles and quadrilaterals in OpenVDB's types; points in m.
 struct Polygons {
     std::vector<openvdb::Vec3s> points;
     std::vector<openvdb::Vec3I> triangles;
     std::vector<openvdb::Vec4I> quads;
 };
 
-/// Spline weights of the three nearest voxels in a row, with their first and second derivatives.
+/// Weights in the spline of the three voxels in a row that are nearest to the index `at`, with the first and
+/// second derivatives of the weights. `first` is the index of the first of these voxels.
 struct SplineWeights {
     int first;
     std::array<double, 3> value, slope, bend{1, -2, 1};
@@ -46,7 +48,7 @@ struct SplineWeights {
     }
 };
 
-/// Concatenates the parts to a text; numbers get three digits.
+/// Concatenates the parts to a text; numbers get three significant digits.
 template <class... Parts>
 std::string text(const Parts&... parts) {
     std::ostringstream out;
@@ -74,8 +76,8 @@ void require_few_voxels(const Polygons& polygons, double voxel, double reach) {
                          ": make them larger"));
 }
 
-/// Returns the smallest side of a voxel, m. Throws Error if voxels are so oblong that cubes of that side
-/// would be too many.
+/// Returns the smallest side of a voxel with the sides `size`, m. Throws Error if the voxel is so oblong that
+/// too many cubes of its smallest side would be needed.
 double smallest_side(const openvdb::Vec3d& size) {
     const auto [smallest, largest] = std::minmax({size.x(), size.y(), size.z()});
     if (largest > most_oblong * smallest)
@@ -89,7 +91,7 @@ using TransformPointer = openvdb::math::Transform::Ptr;
 
 openvdb::FloatGrid::Ptr distances(const Polygons& polygons, const TransformPointer& transform, double reach) {
     const double voxel = transform->voxelSize().x();
-    // With several threads, chance would decide which of two equally near triangles is kept.
+    // With several threads, chance would decide which of two triangles equally near to a voxel is kept.
     const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
     const auto layer = static_cast<float>(std::ceil(reach / voxel) + layer_beyond);
     return openvdb::tools::meshToSignedDistanceField<openvdb::FloatGrid>(
@@ -97,7 +99,8 @@ openvdb::FloatGrid::Ptr distances(const Polygons& polygons, const TransformPoint
         std::numeric_limits<float>::max());
 }
 
-/// Copies the distances of a level set to the grid, except those equal to its background.
+/// Copies the distances at active voxels of a level set, times `scale`, to the grid, except values as large
+/// as the background of the level set.
 void take_values(const openvdb::FloatGrid& level_set, double scale, openvdb::FloatGrid& grid) {
     auto voxels = grid.getAccessor();
     for (auto value = level_set.cbeginValueOn(); value; ++value)
@@ -109,7 +112,7 @@ Vector3d eigen(const openvdb::Vec3d& p) {
     return {p.x(), p.y(), p.z()};
 }
 
-/// Transforms positions to voxel indices.
+/// Returns the map from positions (m) to voxel indices.
 Eigen::Affine3d to_index(const openvdb::math::Transform& transform) {
     Eigen::Affine3d map = Eigen::Affine3d::Identity();
     map.translation() = eigen(transform.worldToIndex({0, 0, 0}));
@@ -155,7 +158,7 @@ GridSurface surface_of(const Polygons& polygons) {
             {static_cast<std::int32_t>(a), static_cast<std::int32_t>(b), static_cast<std::int32_t>(c)});
     };
     for (const openvdb::Vec3I& t : polygons.triangles) add(t[0], t[1], t[2]);
-    for (const openvdb::Vec4I& q : polygons.quads) {  // OpenVDB's are clockwise
+    for (const openvdb::Vec4I& q : polygons.quads) {  // quadrilaterals of OpenVDB are clockwise
         add(q[0], q[2], q[1]);
         add(q[0], q[3], q[2]);
     }
@@ -176,13 +179,15 @@ struct SignedDistanceGrid::State {
           voxel(transform->voxelSize().x()),
           to_index(sherd::to_index(*transform)),
           surface(surface_of(polygons)) {
-        // The margin is a voxel because the surface, in single precision, deviates from the distances: forces
-        // would jump where the box ends.
+        // The points of the surface, in single precision, deviate slightly from where the distances are zero.
+        // Without a margin of a voxel, the box could end within the solid, and forces would jump at its
+        // sides.
         const Vector3d margin = Vector3d::Constant(voxel);
         for (const Vector3d& p : surface.points) box.extend(p - margin).extend(p + margin);
     }
 
-    /// State of a level set of a file. Throws Error, or exceptions of OpenVDB.
+    /// Makes the state of a level set that was read from a file, in its world space times `scale` and with a
+    /// layer up to `reach` (m). Throws Error, or exceptions of OpenVDB.
     static std::shared_ptr<const State> of(const openvdb::FloatGrid& level_set, double scale, double reach);
 };
 

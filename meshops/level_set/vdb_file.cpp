@@ -20,7 +20,8 @@ openvdb::GridPtrVec read_grids(const std::filesystem::path& file) {
     if (std::filesystem::is_directory(file, ignored)) throw Error("is a folder, an OpenVDB file is needed");
     std::ifstream stream(file, std::ios::binary);
     if (!stream) throw Error("cannot read the grids: " + std::generic_category().message(errno));
-    // OpenVDB rarely checks its reads: a truncated file would give random values.
+    // OpenVDB rarely checks whether reading succeeds; without exceptions, a truncated file would give random
+    // values.
     stream.exceptions(std::ios::failbit | std::ios::badbit | std::ios::eofbit);
     try {
         const bool delay_loading = false;
@@ -35,15 +36,15 @@ openvdb::GridPtrVec read_grids(const std::filesystem::path& file) {
     }
 }
 
-/// OpenVDB trusts the lengths in a file, and writes beyond its buffers if those of a damaged file are wrong.
-/// Checks from outside cannot find all such files, so a copy of this process reads the file first, which
-/// doubles the time.
+/// Reads the grids of a file. OpenVDB trusts the lengths that a file states, and writes beyond its buffers if
+/// a damaged file states wrong ones. No check beforehand finds all such files. Therefore a copy of this
+/// process reads the file first, which doubles the time.
 openvdb::GridPtrVec read_grids_safely(const std::filesystem::path& file) {
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(file, ignored))
         return read_grids(file);  // a pipe can only be read once
-    // An empty node has 30 times as many bytes in memory as in a file; a core reads 100 MB/s, and a tenth of
-    // it with sanitizers.
+    // The limits leave room: an empty node of a grid has 30 times as many bytes in memory as in a file; a
+    // core reads 100 MB/s, or 10 MB/s with sanitizers.
     const std::uint64_t size = std::filesystem::file_size(file, ignored);
     const IsolationLimits limits{.memory = (std::uint64_t(1) << 30) + 256 * size,
                                  .seconds = 5 + size / 2'000'000};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// OpenVDB's headers take long to compile: only sources that need its grids may include this.
+// OpenVDB's headers take long to compile: only sources that need its grids may include this header.
 #pragma once
 
 #include <openvdb/openvdb.h>
@@ -9,8 +9,8 @@
 
 namespace sherd {
 
-/// Reads the float grid `name` of an OpenVDB file; an empty name stands for the only one. Throws Error naming
-/// the file if it is missing, damaged or no OpenVDB file, or has no such grid.
+/// Reads the float grid `name` of an OpenVDB file; an empty name stands for the only float grid. Throws Error
+/// naming the file if it is missing, damaged or no OpenVDB file, or has no such grid.
 openvdb::FloatGrid::Ptr read_float_grid(const std::filesystem::path& file, const std::string& name);
 
 }  // namespace sherd

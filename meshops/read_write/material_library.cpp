@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* blank = " \t\r";
 
-/// Takes the first word off a line, with the blanks around it, and returns it.
+/// Removes the first word of `line`, and the blanks around it. Returns the word.
 std::string_view take_word(std::string_view& line) {
     line.remove_prefix(std::min(line.find_first_not_of(blank), line.size()));
     const std::string_view word = line.substr(0, line.find_first_of(blank));
@@ -45,8 +45,9 @@ bool names_picture(std::string_view word) {
            keyword == "norm" || keyword == "refl";
 }
 
-/// Name of a picture: the arguments of its line behind the options. `-o`, `-s` and `-t` have up to three
-/// numbers, `-mm` two, the others one value.
+/// Returns the name of a picture, which is the rest of the arguments of its line behind the options. Each of
+/// the options `-o`, `-s` and `-t` has up to three numbers, `-mm` has two, and any other option has one
+/// value.
 std::string_view picture_name(std::string_view arguments) {
     while (arguments.starts_with('-')) {
         const std::string_view option = take_word(arguments);

@@ -18,7 +18,7 @@ std::array<EdgeEnds, 3> edges_of(const std::array<std::uint32_t, 3>& triangle) {
             EdgeEnds{std::min(c, a), std::max(c, a)}};
 }
 
-/// Triangles of zero area, and their neighbours.
+/// Returns the triangles of zero area, and the triangles that share an edge with them.
 std::vector<std::size_t> around_zero_area(const TriangleSoup& soup) {
     std::vector<std::size_t> around = zero_area_triangles(soup);
     std::set<EdgeEnds> flat;
@@ -42,7 +42,7 @@ FaultyMesh find_mesh_faults(const std::filesystem::path& file, bool join, double
     FaultyMesh mesh;
     const std::vector<bool> is_used = used_points(polygons);
     for (std::size_t i = 0; i < soup.points.size(); ++i) {
-        // An unused point may be NaN.
+        // An unused point may be NaN; a used point replaces it.
         const Point& p = soup.points[is_used[i] ? i : polygons.polygons[0][0]];
         mesh.sheet.points.emplace_back(p.x(), p.y(), p.z());
     }

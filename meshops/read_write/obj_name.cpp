@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::string_view blanks_of_names = " \t\r\f\v";
 
-/// Takes the first word off the text, with the blanks before it.
+/// Removes the first word of `text`, and the blanks before it. Returns the word.
 std::string_view pop_word(std::string_view& text) {
     text.remove_prefix(std::min(text.find_first_not_of(blanks_of_names), text.size()));
     const std::string_view word = text.substr(0, text.find_first_of(blanks_of_names));
@@ -17,7 +17,8 @@ std::string_view pop_word(std::string_view& text) {
     return word;
 }
 
-/// Takes a quoted word off the start of the text and returns it without quotes; empty if there is none.
+/// Removes a word in quotes at the start of `text`. Returns it without quotes; returns an empty text, and
+/// removes nothing, if there is none.
 std::string_view take_quoted(std::string_view& text) {
     std::string_view rest = text;
     rest.remove_prefix(std::min(rest.find_first_not_of(blanks_of_names), rest.size()));
@@ -31,7 +32,8 @@ std::string_view take_quoted(std::string_view& text) {
     return rest.substr(1, end - 1);
 }
 
-/// Number of bytes that follow a first byte of UTF-8; nullopt if the byte is no first byte.
+/// Number of bytes that follow the first byte of a character in UTF-8; nullopt if no character begins with
+/// `first`.
 std::optional<std::size_t> bytes_behind(unsigned char first) {
     if (first < 0x80) return 0;
     if (first >= 0xc2 && first < 0xe0) return 1;
@@ -79,7 +81,7 @@ std::size_t comment_start(std::string_view line, bool has_name) {
     for (std::size_t number = 0;; ++number) {
         const std::string_view word = pop_word(rest);
         if (word.empty()) return line.npos;
-        // The first word is the keyword, the second the name's first.
+        // Word 0 is the keyword, and word 1 the first word of the name.
         if (word.starts_with('#') && (number != 1 || word.size() == 1))
             return static_cast<std::size_t>(word.data() - line.data());
     }

@@ -15,7 +15,7 @@
 namespace sherd {
 namespace {
 
-/// Statements of one kind that are passed over.
+/// Statements of one kind that the parser skips.
 struct Skipped {
     std::size_t count = 0, first_line = 0;
     std::string first_keyword;
@@ -69,7 +69,8 @@ class ObjParser {
         std::string_view line = lines.next_text();
         line_number = lines.number();
         if (!is_continued(line)) return line;
-        // A backslash continues a line: the pieces are joined without it and the line's end.
+        // A backslash at the end of a line continues it on the next line; a blank replaces the backslash and
+        // the line end.
         joined_line.clear();
         do {
             joined_line += line.substr(0, line.rfind('\\'));
@@ -120,7 +121,8 @@ class ObjParser {
         }
     }
 
-    /// A point has three coordinates, perhaps a weight that divides them, perhaps a colour of three parts.
+    /// Reads a point. It has three coordinates, perhaps a weight that divides them, and perhaps a colour of
+    /// three components.
     void parse_point(TextLine& words) {
         const double x = words.next_number(), y = words.next_number(), z = words.next_number();
         TextLine ahead = words;
@@ -169,12 +171,12 @@ class ObjParser {
     }
 
     bool is_there(const std::string& name) const {
-        std::error_code not_a_name;  // a text that no file can have as its name, such as a long one
+        std::error_code not_a_name;  // ignored: a long text, for example, cannot be a name
         return std::filesystem::is_regular_file(soup.file.parent_path() / name, not_a_name);
     }
 
-    /// The names of the files of a `mtllib` statement: one, which may have blanks and `#` in it, or one a
-    /// word.
+    /// Returns the names of the files in a `mtllib` statement. If the whole text is the name of a file that
+    /// exists, which may contain blanks and `#`, this is the only name; if not, each word is a name.
     std::vector<std::string> library_names(std::string_view text) const {
         text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
         text = text.substr(0, text.find_last_not_of(" \t\r") + 1);
@@ -196,7 +198,7 @@ class ObjParser {
         }
     }
 
-    /// The groups of a face at the current line.
+    /// Returns the groups of a face in the current line; null: none.
     GroupNames present_groups() {
         if (groups.empty() && object.empty()) return nullptr;
         if (!face_groups) {
@@ -222,7 +224,7 @@ class ObjParser {
                     {soup.polygons.size(), texture.size(), i, line_number, std::string(corner)});
             texture.push_back(i < texture_points.size() ? texture_points[i] : Eigen::Vector2d::Zero());
         }
-        // Texture coordinates at some corners only are useless.
+        // Texture coordinates are useless if some corners have none.
         if (texture.size() != polygon.size()) texture.clear();
         has_texture = has_texture || !texture.empty();
         soup.polygons.push_back(std::move(polygon));
@@ -232,7 +234,8 @@ class ObjParser {
         soup.look.material.push_back(face_material);
     }
 
-    /// Fills in texture points that follow the faces which name them.
+    /// Fills in the texture coordinates of corners whose texture points follow the faces in the file. Throws
+    /// Error if there is no such texture point.
     void add_later_texture() {
         for (const LaterTexture& later : later_texture) {
             if (later.point >= texture_points.size())
@@ -243,8 +246,9 @@ class ObjParser {
         }
     }
 
-    /// The 0-based index at the front of `numbers`, which is advanced. OBJ counts from 1, and backwards from
-    /// -1 at the last item so far (of `count`). A positive index may refer to a later item.
+    /// Removes the index at the front of `numbers` and returns it counted from 0. OBJ counts from 1, or
+    /// backwards from -1 for the last item read so far; `count` is the number of items read so far. A
+    /// positive index may refer to an item that follows. corner: the whole word, for messages.
     static std::size_t index(const TextLine& words, std::string_view& numbers, std::string_view corner,
                              std::size_t count) {
         std::int64_t value = 0;
@@ -261,7 +265,8 @@ class ObjParser {
         return static_cast<std::size_t>(value > 0 ? value - 1 : available + value);
     }
 
-    /// A texture point of a corner that was not read yet when the corner was.
+    /// A corner with a texture point that follows in the file: the numbers of polygon, corner and texture
+    /// point, and the line and word that name the point.
     struct LaterTexture {
         std::size_t polygon, corner, point, line;
         std::string word;
@@ -270,17 +275,17 @@ class ObjParser {
     PolygonSoup soup;
     std::vector<Eigen::Vector2d> texture_points;
     std::vector<LaterTexture> later_texture;
-    std::map<std::string, Skipped> skipped;  ///< by kind
+    std::map<std::string, Skipped> skipped;  ///< skipped statements by kind
     bool has_texture = false;
     std::vector<std::string> groups;  ///< names of the last `g` line
     std::string object;               ///< name of the last `o` line
-    GroupNames face_groups;           ///< groups and object; created when a face needs them
+    GroupNames face_groups;           ///< `groups` and `object`; created when a face needs them
     std::map<std::string, std::shared_ptr<SurfaceMaterial>> materials;  ///< used materials, by name
-    std::vector<std::string> missing_libraries;      ///< warnings, for a mesh that uses materials
+    std::vector<std::string> missing_libraries;      ///< warnings, given if the mesh uses materials
     std::map<std::string, std::string> definitions;  ///< definitions of materials, by name
-    FaceMaterial face_material;                      ///< by the last `usemtl` line
+    FaceMaterial face_material;                      ///< material of the last `usemtl` line
     TextLines lines;
-    std::string joined_line;      ///< holds a line that continues over several
+    std::string joined_line;      ///< text of a line that continues over several lines
     std::size_t line_number = 0;  ///< number of the current line, from 1
 };
 

@@ -8,9 +8,9 @@
 #include "meshops/read_write/text_line.h"
 #include "meshops/soup/polygon_soup.h"
 
-// CGAL's reader is not used: it searches colours and texture coordinates beyond the end of a line that has
-// fewer numbers than the header's keyword announces, and allocates as much memory as a face's number of
-// corners says.
+// CGAL's reader is not used: it searches for colours and texture coordinates beyond the end of a line that
+// has fewer numbers than the keyword of the header announces, and allocates memory for any number of corners
+// that a face claims to have.
 namespace sherd {
 namespace {
 
@@ -19,8 +19,8 @@ constexpr char comment = '#';
 /// The header: `[ST][C][N][4][n]OFF [BINARY]`, then the numbers of vertices, faces and edges.
 struct OffHeader {
     std::size_t coordinates = 3;  ///< number of coordinates of a vertex; 4: homogeneous
-    std::size_t extras = 0;       ///< number of further values of a vertex in a binary file
-    bool has_dimension = false;   ///< whether a dimension precedes the numbers of vertices and faces
+    std::size_t extras = 0;  ///< number of further values of a vertex: normal, colour, texture coordinates
+    bool has_dimension = false;  ///< whether a dimension precedes the numbers of vertices and faces
     bool is_binary = false;
     std::size_t vertices = 0, faces = 0;
 };
@@ -29,7 +29,8 @@ struct OffHeader {
     throw Error(file.string() + ": the OFF file ends too early (truncated?): " + where);
 }
 
-/// Takes the letters in front of `OFF` off a keyword, which programs write in any order.
+/// Removes the letters in front of `OFF`, which may have any order, from the keyword `word`. Returns the
+/// header that they describe.
 OffHeader take_letters(std::string_view& word) {
     const auto take = [&](std::string_view part) {
         const bool has = word.starts_with(part);
@@ -57,8 +58,8 @@ bool has_digits_only(std::string_view word) {
     return word.find_first_not_of("0123456789") == word.npos;
 }
 
-/// Takes the keyword off the first line. It may be missing, and the number of vertices may follow it without
-/// a blank.
+/// Reads the keyword of the first line, and leaves the rest of the line. The keyword may be missing, and the
+/// number of vertices may follow it without a blank.
 OffHeader read_keyword(TextLine& line) {
     TextLine ahead = line;
     const std::string_view word = ahead.next_word();
@@ -90,11 +91,12 @@ void require_dimension(const std::filesystem::path& file, const OffHeader& heade
                     " coordinates for each vertex; a sheet needs 3");
 }
 
-/// How a text is set out.
+/// Layout of a text file.
 enum class OffLayout {
-    lines,         ///< a vertex or a face a line; what stands behind it is passed over
-    words,         ///< regardless of lines, with the colours and normals that the keyword names
-    face_colours,  ///< likewise, but what stands behind a face in its line is its colour
+    lines,  ///< a line for each vertex and each face; further words in it are ignored
+    words,  ///< vertices and faces regardless of lines; a vertex has the colours, normals and so on that the
+            ///< keyword names
+    face_colours,  ///< vertices as in `words`; behind a face, the rest of its line is a colour
 };
 
 class OffText {
@@ -123,7 +125,8 @@ class OffText {
         line = lines.next_with_words(comment);
         if (!line) fail_at_end(file, where);
     }
-    /// Moves to where a vertex or a face begins, or may continue.
+    /// Moves to where the next vertex or face may begin. where: what is missing, for the message at the end
+    /// of the file.
     void next_element(const std::string& where) {
         if (layout == OffLayout::lines || line->is_at_end()) next_line(where);
     }
@@ -135,7 +138,7 @@ class OffText {
         return line->next_number();
     }
 
-    /// Reads a nonnegative integer.
+    /// Reads a nonnegative integer. Throws Error with the message `what` if the next word is none.
     std::size_t next_integer(const char* what) {
         const TextLine before = *line;
         const double value = line->next_number();
@@ -149,8 +152,8 @@ class OffText {
         return next_integer("is not a number of vertices or faces");
     }
 
-    /// The number of edges is not used, and some programs leave it out: then a vertex is next, which has
-    /// more words.
+    /// Skips the number of edges, which is not used. Some programs leave it out: then the next line is a
+    /// vertex, which has more than one word.
     void skip_edge_count() {
         if (!line->is_at_end()) {
             next_count();
@@ -190,7 +193,8 @@ class OffText {
         if (layout == OffLayout::face_colours) *line = TextLine(file, lines.number(), {});
     }
 
-    /// Refuses a face whose words are no numbers of vertices: then the text is laid out in another way.
+    /// Throws Error if a face has fewer than three corners, or corners that do not exist: then the text has
+    /// another layout.
     void require_corners(const std::vector<std::size_t>& polygon) const {
         const auto is_there = [&](std::size_t corner) { return corner < header.vertices; };
         if (polygon.size() < 3 || !std::ranges::all_of(polygon, is_there))
@@ -214,16 +218,16 @@ std::optional<PolygonSoup> parse_off_as(const std::filesystem::path& file, std::
     }
 }
 
-/// OFF ignores the ends of lines, yet many files have more or fewer numbers in a line than the keyword says.
-/// `words` comes first, since it fits only if all words are used; if no layout fits, the error is that of
-/// `lines`.
+/// Parses a text in the layout that fits it. OFF ignores line ends, yet many files have more or fewer numbers
+/// in a line than the keyword says. `words` is tried first, since it fits only if all words are used. If no
+/// layout fits, throws the Error that `lines` gives.
 PolygonSoup parse_off_text(const std::filesystem::path& file, std::string_view text) {
     for (const OffLayout layout : {OffLayout::words, OffLayout::lines, OffLayout::face_colours})
         if (auto soup = parse_off_as(file, text, layout)) return std::move(*soup);
     return OffText(file, text, OffLayout::lines).parse();
 }
 
-/// Big-endian integers and floats after the header line.
+/// Parses a binary file: big-endian integers and floats behind the line of the keyword.
 class OffBytes {
   public:
     OffBytes(const std::filesystem::path& file, OffHeader header, std::string_view bytes)

@@ -14,7 +14,7 @@
 #include "meshops/soup/polygon_soup.h"
 
 // CGAL's reader is not used: it fails on malformed headers (a property before any element, integer
-// coordinates), and allocates as much memory as a list's count says.
+// coordinates), and allocates memory for any number of values that a list claims to have.
 namespace sherd {
 namespace {
 
@@ -52,8 +52,8 @@ double binary_value(PlyType type, const char* bytes, std::endian order) {
     }
 }
 
-/// The rows after a header, in order. Each has a list of values for each property (a single value is a list
-/// of one). A double holds every number of PLY exactly.
+/// Reads the rows after a header, in order. A row has a list of values for each property; a single value is a
+/// list of one. A double holds every number of PLY exactly.
 class PlyRows {
   public:
     PlyRows(const std::filesystem::path& file, std::string_view content, const PlyHeader& header)
@@ -65,7 +65,8 @@ class PlyRows {
         while (lines.number() < header.lines) lines.next();
     }
 
-    /// Reads the next row of an element. The result is valid until the next call.
+    /// Reads the next row, which is row `number` of the element `of`. Returns the values of each property;
+    /// they are valid until the next call.
     const std::vector<std::vector<double>>& next(const PlyElement& of, std::size_t number) {
         element = &of;
         row = number;
@@ -137,15 +138,15 @@ class PlyRows {
     const std::filesystem::path& file;
     PlyFormat format;
     std::size_t text_size;
-    TextLines lines;               ///< lines of a text not read yet
-    std::optional<TextLine> line;  ///< rest of the current line of a text
-    std::string_view bytes;        ///< bytes of a binary file not read yet
+    TextLines lines;               ///< unread lines of a text file
+    std::optional<TextLine> line;  ///< rest of the current line of a text file
+    std::string_view bytes;        ///< unread bytes of a binary file
     const PlyElement* element = nullptr;
     std::size_t row = 0, first_line = 0;
     std::vector<std::vector<double>> values;
 };
 
-/// The colours of an element's rows.
+/// Collects the colours of the rows of an element.
 class ColourColumns {
   public:
     explicit ColourColumns(const PlyElement& element) : element(element) {
@@ -177,8 +178,8 @@ class ColourColumns {
         return result;
     }
 
-    /// Returns the values of the property `column` as parts of a colour, 0 to 1; nullopt if it is no part of
-    /// a colour.
+    /// Returns the values of property number `column` in all rows as intensities from 0 to 1; nullopt if the
+    /// property is no component of a colour.
     std::optional<std::vector<double>> shares(std::size_t column) const {
         const auto found = std::ranges::find(columns, column);
         if (columns.size() < 3 || found == columns.end()) return std::nullopt;
@@ -192,10 +193,11 @@ class ColourColumns {
     double share(std::size_t row, std::size_t i) const {
         return std::isfinite(values[row][i]) ? values[row][i] / full(i) : 0;
     }
-    /// Value of full intensity. Integers fill the range of their type, and other numbers go from 0 to 1, but
-    /// some files have 0 to 255 in all types, as the largest value shows.
+    /// Returns the value that means full intensity of component i. Usually this is the largest number of an
+    /// integer type, and 1 for other types. But some files have values from 0 to 255 in all types; the
+    /// largest value in the file shows which.
     double full(std::size_t i) const {
-        constexpr double brighter_than_white = 16;  // as some programs have it
+        constexpr double brighter_than_white = 16;  // intensities up to this occur where 1 is white
         const PlyType type = element.properties[columns[i]].type;
         const double most = i < 3 ? most_colour : most_opacity;
         if (is_integer(type)) return most <= 255 ? 255 : range_of(type).high;
@@ -203,12 +205,13 @@ class ColourColumns {
     }
 
     const PlyElement& element;
-    std::vector<std::size_t> columns;  ///< [3] or [4]; fewer: there are none
+    std::vector<std::size_t> columns;  ///< numbers of the properties with red, green, blue and perhaps
+                                       ///< opacity; fewer than 3: no colours
     std::vector<std::array<double, 4>> values;
     double most_colour = 0, most_opacity = 0;
 };
 
-/// The attributes of an element's rows that the file has, but for colours: numbers and vectors.
+/// Collects those attributes of an element (vertices or faces) that are numbers or vectors, from its rows.
 template <class Element>
 class AttributeColumns {
   public:
@@ -281,7 +284,8 @@ void skip(PlyRows& rows, const PlyElement& element) {
     for (std::size_t row = 0; row < element.rows; ++row) rows.next(element, row);
 }
 
-/// Index of the property `name`, which must have one value. Throws Error if there is none.
+/// Returns the index of the property `name`, which must have one value. Throws Error if there is no such
+/// property.
 std::size_t single_property(const std::filesystem::path& file, const PlyElement& element,
                             const std::string& name) {
     std::string known;
@@ -297,14 +301,15 @@ std::size_t single_property(const std::filesystem::path& file, const PlyElement&
 
 std::vector<std::size_t> corners(const std::vector<double>& values) {
     std::vector<std::size_t> polygon;
-    // A negative number stays recognisable for check_polygon_soup(), which reports it as an index out of
-    // range.
+    // A negative number becomes a large one, which check_polygon_soup() reports as an index out of range and
+    // prints as negative.
     for (const double value : values)
         polygon.push_back(static_cast<std::size_t>(static_cast<std::int64_t>(value)));
     return polygon;
 }
 
-/// Index of the property that lists vertices.
+/// Returns the index of the property that lists the vertices of a face or strip. Throws Error if there is
+/// none.
 std::size_t vertex_list(const std::filesystem::path& file, const PlyElement& element) {
     const auto list = element.find({"vertex_indices", "vertex_index"});
     if (!list || !element.properties[*list].count || !is_integer(element.properties[*list].type))
@@ -314,9 +319,9 @@ std::size_t vertex_list(const std::filesystem::path& file, const PlyElement& ele
     return *list;
 }
 
-/// Reads strips of triangles, as scans of the 1990s have them: each vertex makes a triangle with the two
-/// before it, every second one turned over; -1 begins another strip, and a repeated vertex makes no triangle,
-/// but changes the orientation of the following ones.
+/// Reads strips of triangles, as scans of the 1990s have them. Each vertex makes a triangle with the two
+/// vertices before it, and every second triangle is turned over. The number -1 begins another strip. A
+/// repeated vertex makes no triangle, but counts, so that the following triangles change their orientation.
 void read_strips(PlyRows& rows, const PlyElement& element, PolygonSoup& soup) {
     const std::size_t list = vertex_list(soup.file, element);
     for (std::size_t row = 0; row < element.rows; ++row) {

@@ -12,9 +12,10 @@
 namespace sherd {
 namespace {
 
-constexpr std::size_t stl_header = 84, stl_record = 50;  // bytes
+constexpr std::size_t stl_header = 84, stl_record = 50;  // bytes of the header, and of a triangle
 
-/// The number of triangles in the header of a binary file.
+/// Returns the number of triangles that the header of a binary file states; 0 if the file is shorter than
+/// that.
 std::uint32_t promised_triangles(std::string_view bytes) {
     return bytes.size() < stl_header ? 0 : number_at<std::uint32_t>(bytes.data() + 80, std::endian::little);
 }
@@ -23,8 +24,9 @@ bool fits_binary(std::string_view bytes) {
     return bytes.size() >= stl_header && bytes.size() - stl_header == stl_record * promised_triangles(bytes);
 }
 
-/// Number of triangles in a binary file. Some programs leave 0 or the largest number in the header, and some
-/// state fewer than they write: then the size of the file gives the number.
+/// Returns the number of triangles in a binary file, with a warning if it is not the number in the header.
+/// Some programs leave 0 or the largest number in the header, and some state fewer than they write: then the
+/// size of the file gives the number.
 std::size_t count_triangles(PolygonSoup& soup, std::string_view bytes) {
     constexpr std::uint32_t unknown = -1;
     const std::size_t promised = promised_triangles(bytes);
@@ -47,8 +49,8 @@ std::size_t count_triangles(PolygonSoup& soup, std::string_view bytes) {
     return count;
 }
 
-/// A binary file has a header of 80 bytes and the number of triangles, then for each triangle 12 floats
-/// (normal, corners) and 2 bytes.
+/// Parses a binary file. It has a header of 80 bytes and the number of triangles, then for each triangle 12
+/// floats (normal, corners) and 2 bytes.
 PolygonSoup parse_binary_stl(const std::filesystem::path& file, std::string_view text) {
     PolygonSoup soup;
     soup.file = file;
@@ -91,8 +93,9 @@ void drop_unused_points(PolygonSoup& soup) {
     }
 }
 
-/// The words of a text: `vertex x y z`, three between each `facet` and `endfacet`, and `endsolid` behind the
-/// last. Lines count only behind `solid`, where a name stands.
+/// Parses a text, word by word: `vertex x y z` comes three times between `facet` and `endfacet`, and
+/// `endsolid` follows the last facet. Line ends matter only behind `solid`, since they end the name that
+/// stands there.
 class StlText {
   public:
     StlText(const std::filesystem::path& file, std::string_view text) : words(file, text) {
@@ -128,7 +131,7 @@ class StlText {
         is_in_solid = is_in_facet = false;
     }
 
-    /// A name ends with its line, or where the first facet begins.
+    /// Skips the name of a solid, which ends with its line or where the first facet begins.
     void skip_name() {
         TextLine& line = words.rest_of_line();
         while (!line.is_at_end() && !begins_facet(line)) line.next_word();
@@ -137,7 +140,8 @@ class StlText {
         return lower_case(line.next_word()) == "facet" && lower_case(line.next_word()) == "normal";
     }
 
-    /// Any text may stand outside of solids; a `facet` counts there only if `normal` follows.
+    /// Begins a facet. Any text may stand outside of solids, so that there a `facet` counts only if `normal`
+    /// follows it.
     void begin_facet() {
         TextLine ahead = words.rest_of_line();
         if (!is_in_solid && lower_case(ahead.next_word()) != "normal") return;
@@ -164,15 +168,16 @@ class StlText {
     TextWords words;
     PolygonSoup soup;
     bool has_begun = false, is_in_solid = false, is_in_facet = false;
-    bool is_complete = false;  ///< whether an `endsolid` is behind the last facet
+    bool is_complete = false;  ///< whether `endsolid` follows the last facet
 };
 
-/// Text without the zero bytes with which some programs pad its end.
+/// Returns the text without the zero bytes with which some programs pad its end.
 std::string_view without_padding(std::string_view text) {
     return text.substr(0, text.find_last_not_of('\0') + 1);
 }
 
-/// The content tells binary files from texts: `solid` begins binary ones, too, and not all texts.
+/// Parses a file, which is binary or a text according to its size and content: `solid` is at the beginning of
+/// some binary files, too, and not of all texts.
 PolygonSoup read_stl(const std::filesystem::path& file, std::string_view content) {
     if (fits_binary(content)) return parse_binary_stl(file, content);
     const std::string_view text = without_padding(without_byte_order_mark(file, content));
@@ -183,7 +188,7 @@ PolygonSoup read_stl(const std::filesystem::path& file, std::string_view content
 
 PolygonSoup parse_stl(const std::filesystem::path& file, std::string_view text) {
     PolygonSoup soup = read_stl(file, text);
-    // The check comes before joining, which compares coordinates and so requires that they are numbers.
+    // The check comes before joining, which compares coordinates and so requires that none is NaN.
     check_polygon_soup(soup);
     join_duplicate_points(soup);
     drop_unused_points(soup);

@@ -21,10 +21,10 @@
 namespace sherd {
 namespace {
 
-// Share of an edge's length: points nearer to the edge than that are probably meant to lie on it.
+// Fraction of the length of an edge: points nearer to the edge than that are probably meant to lie on it.
 constexpr double near_share = 1e-3;
 
-/// Warnings about the seams of a soup.
+/// Warnings about the seams of a soup. A warning is empty if there is nothing to report.
 struct SeamWarnings {
     const TriangleSoup& soup;
     const ReadMeshOptions& options;
@@ -38,7 +38,7 @@ struct SeamWarnings {
         return std::sqrt(CGAL::squared_distance(soup.points[a], soup.points[b]));
     }
     double mean_edge() const;
-    /// Advice to join points that are at most `gap` apart, in units of the file.
+    /// Returns advice to join points that are at most `gap` apart, in units of the file.
     std::string advice(double gap) const;
 
     std::string on_seams() const;
@@ -53,7 +53,7 @@ double SeamWarnings::mean_edge() const {
 }
 
 std::string SeamWarnings::advice(double gap) const {
-    constexpr double least = 1e-6;  // mean edges, for round-off
+    constexpr double least = 1e-6;  // mean edges: smallest distance to advise, above round-off
     const double distance = std::max(2 * gap, least * mean_edge()) * options.unit;
     const double digit = std::pow(10, std::floor(std::log10(distance)));
     constexpr double round_off = 1e-6;
@@ -100,8 +100,8 @@ std::string SeamWarnings::on_junctions() const {
 }
 
 /// Returns warnings about seams, where a sheet is open although it looks closed: edges that lie on each
-/// other, edges that nearly do, and vertices on edges that they do not divide, each with advice to join them.
-/// Returns none if `options.join_advice` is empty.
+/// other, edges that nearly lie on each other, and vertices on edges that they do not divide. Each warning
+/// contains advice to join them. Returns none if `options.join_advice` is empty.
 std::vector<std::string> seam_warnings(const TriangleSoup& soup, const ReadMeshOptions& options) {
     if (options.join_advice.empty()) return {};
     const SeamWarnings warnings{soup, options};
@@ -117,7 +117,7 @@ std::string counted(std::size_t count, const std::string& noun) {
     return std::to_string(count) + " " + (count == 1 ? noun + " was" : plural + " were");
 }
 
-/// The reading of one file: the steps from polygons to a mesh, and their warnings.
+/// Reading of one file: the steps from polygons to a mesh, and the warnings on the way.
 struct Reading {
     PolygonSoup polygons;
     const ReadMeshOptions& options;
@@ -136,15 +136,16 @@ struct Reading {
         return vertex(a) + ", " + vertex(b) + " and " + vertex(c) + " at " + middle(soup.triangles[triangle]);
     }
     std::string middle(std::span<const std::uint32_t> points) const { return middle_text(soup, points); }
-    /// Advice such as "; `repair = true` on the mesh drops such triangles", or to mend the file if repair
-    /// cannot be requested.
+    /// Returns advice on a repair that does `what`, such as "; `repair = true` on the mesh drops such
+    /// triangles"; or advice to correct the file, if the user cannot request repairs.
     std::string advice(const std::string& what) const {
         return options.repair_advice.empty() ? "; correct it in the program that made it"
                                              : "; " + std::string(options.repair_advice) + " " + what;
     }
 
     bool repairs_all() const { return options.repair == Repair::all; }
-    /// A place in the file, and how many more there are: "a.obj:7: face 1 (and 2 more)".
+    /// Returns the place in the file of the first of `triangles`, and how many more there are: "a.obj:7: face
+    /// 1 (and 2 more)".
     std::string places(const std::vector<std::size_t>& triangles) const {
         return place(triangles[0]) +
                (triangles.size() > 1 ? " (and " + std::to_string(triangles.size() - 1) + " more)" : "");
@@ -152,7 +153,7 @@ struct Reading {
 
     void drop_few_corners();
     /// Joins points according to the options. Returns the number of points that are no longer used, and a
-    /// warning about them or an empty text.
+    /// warning about these, which is empty if there are none.
     std::pair<std::size_t, std::string> join_points();
     void drop_repeated_polygons();
     void divide_edges();
@@ -162,7 +163,7 @@ struct Reading {
     void make_consistent();
     void turn_outward();
     void tell_bare() const;
-    /// wanted: number of points that are not joined to others.
+    /// Reports points that no face uses. wanted: number of points without those that join_points() replaced.
     void report_unused(std::size_t wanted) const;
     Mesh build() const;
     void give_attributes(Mesh& mesh) const;

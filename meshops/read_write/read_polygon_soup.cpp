@@ -40,7 +40,7 @@ std::string extension_of(const fs::path& file) {
 PolygonSoup read_polygon_soup(const fs::path& file) {
     const std::string content = file_text(file);
     const std::string extension = extension_of(file);
-    // A binary STL file may begin with any bytes, so that parse_stl() looks for a mark itself.
+    // parse_stl() looks for a byte order mark itself, since a binary STL file may begin with any bytes.
     if (extension == ".stl") return parse_stl(file, content);
     const std::string_view text = without_byte_order_mark(file, content);
     if (extension == ".ply") return parse_ply(file, text);

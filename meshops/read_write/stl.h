@@ -7,8 +7,9 @@
 
 namespace sherd {
 
-/// The content of a binary STL file of the sheet's triangles, in their order, with their normals. STL has
-/// single precision and no shared vertices: readers join coincident points, also across closed cracks.
+/// Returns the content of a binary STL file with the triangles of the sheet, in their order, and their
+/// normals. STL has single precision and no shared vertices: readers join coincident points, also across
+/// closed cracks.
 std::string stl_bytes(const TriangleSheet& sheet);
 
 }  // namespace sherd

@@ -11,7 +11,7 @@ namespace sherd {
 /// The words of a line of a text file, in order. Failures throw Error with file and line.
 class TextLine {
   public:
-    /// number: number of the line, from 1. `file` and `text` must outlive the words.
+    /// number: number of the line, from 1. `file` and `text` must outlive this object and its words.
     TextLine(const std::filesystem::path& file, std::size_t number, std::string_view text)
         : file(&file), number(number), rest(text) {}
 
@@ -20,8 +20,8 @@ class TextLine {
     /// Reads a real number; infinite if it is too large for a double. Throws Error if there is none.
     double next_number();
     bool is_at_end() const;
-    std::size_t length() const { return rest.size(); }  ///< bytes behind the last word
-    /// Makes `end`, the end of the last word, the next word.
+    std::size_t length() const { return rest.size(); }  ///< bytes behind the last word read
+    /// Puts back `end`, the end of the last word that was read, so that it is the next word.
     void put_back(std::string_view end);
     /// Throws Error with the message "file:line: `word` what".
     [[noreturn]] void fail(const std::string& what, std::string_view word) const;
@@ -32,8 +32,8 @@ class TextLine {
     std::string_view rest;
 };
 
-/// Returns a text without the UTF-8 byte order mark that some editors put in front. Throws Error if the mark
-/// is that of UTF-16.
+/// Returns `text` without the UTF-8 byte order mark that some editors put in front. Throws Error if it begins
+/// with a mark of UTF-16.
 std::string_view without_byte_order_mark(const std::filesystem::path& file, std::string_view text);
 
 std::string lower_case(std::string_view word);
@@ -44,13 +44,13 @@ class TextLines {
     /// `file` and `text` must outlive the lines.
     TextLines(const std::filesystem::path& file, std::string_view text);
 
-    /// Returns the next line; none at the end of the file.
+    /// Returns the next line; nullopt at the end of the file.
     std::optional<TextLine> next();
     /// Returns the text of the next line, without its end; empty at the end of the file.
     std::string_view next_text();
     bool is_at_end() const { return rest.empty(); }
-    /// Returns the next line that has a word before a `comment` sign, up to that sign; '\0': there are no
-    /// comments.
+    /// Returns the next line that has a word before the first character `comment`, up to that character;
+    /// nullopt if there is none. comment: '\0' if the file has no comments.
     std::optional<TextLine> next_with_words(char comment = '\0');
     std::size_t number() const { return count; }         ///< number of the last line returned, from 1
     std::string_view remaining() const { return rest; }  ///< text behind the last line returned
@@ -58,7 +58,7 @@ class TextLines {
   private:
     const std::filesystem::path* file;
     std::string_view rest;
-    bool ends_alone;  ///< whether CR alone ends the first line: then LF behind CR is no part of the same end
+    bool ends_alone;  ///< whether CR alone ends the first line; if so, LF behind a CR ends another line
     std::size_t count = 0;
 };
 
@@ -74,9 +74,9 @@ class TextWords {
     /// Reads a real number as TextLine::next_number() does.
     double next_number();
     bool is_at_end();
-    /// Remainder of the last word's line, behind that word.
+    /// Rest of the line of the last word that was read, behind that word.
     TextLine& rest_of_line() { return line; }
-    std::size_t number() const { return lines.number(); }  ///< number of that line, from 1
+    std::size_t number() const { return lines.number(); }  ///< number of the line of the last word, from 1
 
   private:
     TextLines lines;

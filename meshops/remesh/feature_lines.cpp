@@ -25,8 +25,9 @@ double angle_between(const Vector3d& a, const Vector3d& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / std::numbers::pi;
 }
 
-/// Whether the dihedral angle of an interior edge exceeds `degrees`, and that between the mean normals on
-/// both sides half of it: edges of a rough surface bend, but the surface does not.
+/// Whether the dihedral angle of an interior edge exceeds `degrees`, and the angle between the mean normals
+/// of the faces within `reach` (m) on its two sides exceeds half of `degrees`. The second condition is false
+/// on a rough surface, which bends at its edges, but not as a whole.
 bool is_sharp(const Mesh& mesh, Edge edge, double degrees, double reach) {
     const Halfedge h = mesh.halfedge(edge);
     const Vector3d left = triangle_normal(face_points(mesh, mesh.face(h)));
@@ -44,8 +45,8 @@ bool is_sharp(const Mesh& mesh, Edge edge, double degrees, double reach) {
     return angle_between(sides[0], sides[1]) > degrees / 2;
 }
 
-/// Removes the marks of sharp edges that are connected over less than `shortest` (m): noise, or too small to
-/// be kept as an edge.
+/// Removes the marks of sharp edges if the connected ones are shorter than `shortest` (m) together: these are
+/// noise, or too short to be kept as an edge. Sharp edges that are connected to other marked edges stay.
 void drop_short(const Mesh& mesh, const EdgeMarks& sharp, EdgeMarks& marks, double shortest) {
     DisjointSets joined(mesh.number_of_vertices());
     for (const Edge edge : mesh.edges())
@@ -112,7 +113,7 @@ class LineTracing {
         return marks[edge] && found.of_edge[edge].line == LineStretch::none;
     }
 
-    /// Marked edges that leave a vertex.
+    /// Returns the marked edges at a vertex, as halfedges that leave it.
     std::vector<Halfedge> marked_from(Vertex v) const {
         std::vector<Halfedge> leaving;
         for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
@@ -120,8 +121,8 @@ class LineTracing {
         return leaving;
     }
 
-    /// First vertex, on the line that begins with h, at a distance of `reach` (m) or more; or the end of the
-    /// line.
+    /// Returns the first vertex on the line that begins with h whose distance from the beginning is `reach`
+    /// (m) or more; or the end of the line.
     Vertex ahead(Halfedge h, double reach) const {
         const Vertex begin = mesh.source(h);
         while ((position(mesh, mesh.target(h)) - position(mesh, begin)).norm() < reach) {
@@ -147,7 +148,7 @@ class LineTracing {
                turns(ahead(leaving[0], reach), ahead(leaving[1], reach));
     }
 
-    /// The halfedges of a line that begins with h, up to a corner, or back to where it began.
+    /// Returns the halfedges of the line that begins with h, up to a corner, or back to where the line began.
     std::vector<Halfedge> chain(Halfedge h) const {
         std::vector<Halfedge> all{h};
         while (!found.is_corner[mesh.target(h)] && mesh.target(h) != mesh.source(all.front())) {
@@ -158,7 +159,8 @@ class LineTracing {
         return all;
     }
 
-    /// Halfedge of a closed line that leaves the first of the line's points in the order of coordinates.
+    /// Returns the halfedge of a closed line that leaves the first point of the line in the order of
+    /// coordinates.
     Halfedge first_of(const std::vector<Halfedge>& closed) const {
         return *std::ranges::min_element(closed, {}, [&](Halfedge h) { return mesh.point(mesh.source(h)); });
     }
@@ -169,8 +171,8 @@ class LineTracing {
         return vertices;
     }
 
-    /// Lets a shared line begin at the end whose points come first, so that it is the same line on all
-    /// sheets.
+    /// Reverses a shared line if its last points come before its first ones in the order of coordinates, so
+    /// that the line is the same on all sheets.
     void orient(std::vector<Halfedge>& halfedges) const {
         const std::vector<Vertex> there = vertices_of(halfedges), back(there.rbegin(), there.rend());
         const auto before = [&](Vertex a, Vertex b) { return mesh.point(a) < mesh.point(b); };

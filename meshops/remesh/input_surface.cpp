@@ -24,8 +24,8 @@ void InputSurface::average_normals(double smoothing) {
         edge += (position(mesh, mesh.vertex(e, 0)) - position(mesh, mesh.vertex(e, 1))).norm();
     edge /= static_cast<double>(mesh.number_of_edges());
     for (const Face face : mesh.faces()) area[face] = triangle_normal(face_points(mesh, face));
-    // An average with three neighbours, whose middles are edge / sqrt(3) away, spreads by edge^2 / 8 each
-    // time.
+    // Each average over a face and its three neighbours, whose middles are edge / sqrt(3) away, increases the
+    // variance in every direction by edge^2 / 8.
     constexpr double most = 60;
     const int rounds = static_cast<int>(std::min(most, 8 * std::pow(smoothing / edge, 2)));
     for (int round = 0; round < rounds; ++round) {
@@ -42,10 +42,10 @@ void InputSurface::average_normals(double smoothing) {
 InputSurface::Site InputSurface::nearest(Face begin, const Vector3d& point, bool across_lines) const {
     struct Visited {
         Face face;
-        double squared;  ///< distance, m^2
+        double squared;  ///< squared distance from `point`, m^2
         bool is_left = false;
     };
-    constexpr int patience = 12;  // faces that are no nearer, before the search ends
+    constexpr int patience = 12;  // successive faces without a nearer point that end the search
     std::vector<Visited> visited;
     visited.reserve(48);
     Site best;

@@ -9,12 +9,12 @@
 
 namespace sherd {
 
-/// Surface that is remeshed. Its point nearest to another point is searched over connected faces, so that a
-/// second wall beside a sheet is not mistaken for the sheet.
+/// The surface that is remeshed. The point of the surface that is nearest to another point is searched over
+/// connected faces, so that a second wall beside a sheet is not mistaken for the sheet.
 class InputSurface {
   public:
-    /// mesh: without gaps in its numbers; it has to outlive this. smoothing: m, distance over which normals
-    /// are averaged, but not across lines.
+    /// mesh: must have no gaps in its numbers, and must outlive this. smoothing: m, distance over which
+    /// normals are averaged, though not across feature lines.
     InputSurface(const Mesh& mesh, FeatureLines lines, double smoothing);
 
     /// A point of the surface.
@@ -23,8 +23,8 @@ class InputSurface {
         Eigen::Vector3d weights;  ///< barycentric, in the order of face_corners()
         Eigen::Vector3d place;    ///< m
     };
-    /// The point nearest to `point` (m) among the faces that are reached from `begin` on the way there.
-    /// Without `across_lines` these are the faces on its side of feature lines.
+    /// Returns the point of the surface nearest to `point` (m). The search begins at the face `begin` and
+    /// goes on over neighbouring faces; without `across_lines`, it does not cross feature lines.
     Site nearest(Face begin, const Eigen::Vector3d& point, bool across_lines = true) const;
 
     const Eigen::Vector3d& normal(Face face) const { return normals[face]; }  ///< unit, averaged
@@ -36,7 +36,7 @@ class InputSurface {
   private:
     void average_normals(double smoothing);
 
-    std::vector<Eigen::Vector3d> normals;  ///< [F]
+    std::vector<Eigen::Vector3d> normals;  ///< [F] unit, averaged
 };
 
 }  // namespace sherd

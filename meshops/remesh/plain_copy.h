@@ -5,8 +5,8 @@
 
 namespace sherd {
 
-/// A copy of vertices, edges and faces in their order, without properties and without gaps in the numbers.
-/// Throws Error (run) on faces that do not fit to each other.
+/// Returns a copy of the vertices and faces in their order, without properties and without gaps in the
+/// numbers. Edges may get other numbers. Throws Error (run) on faces that do not fit each other.
 Mesh plain_copy(const Mesh& mesh);
 
 }  // namespace sherd

@@ -24,7 +24,7 @@
 namespace sherd {
 namespace {
 
-using FaceMarks = std::vector<char>;  ///< for each face of the input
+using FaceMarks = std::vector<char>;  ///< a mark for each face of the input
 
 /// Marks also the faces that have a vertex in common with marked ones.
 void add_ring(const Mesh& mesh, FaceMarks& marks) {
@@ -37,7 +37,8 @@ void add_ring(const Mesh& mesh, FaceMarks& marks) {
     }
 }
 
-/// Marks the faces that are connected to marked ones within a distance (m) of these, and their neighbours.
+/// Marks also the faces that are connected to marked ones within `distance` (m) of these, and then all faces
+/// that have a vertex in common with marked ones.
 void add_near(const Mesh& mesh, double distance, FaceMarks& marks) {
     const FaceMarks before = marks;
     for (const Face face : mesh.faces())
@@ -46,8 +47,8 @@ void add_near(const Mesh& mesh, double distance, FaceMarks& marks) {
     add_ring(mesh, marks);
 }
 
-/// Drops texture coordinates if most edges are seams, as where every triangle is an island of the texture:
-/// seams could not be kept. Returns whether they were dropped.
+/// Drops texture coordinates if most edges are seams, as where every triangle is an island of the texture: so
+/// many seams could not be kept. Returns whether the coordinates were dropped.
 bool drop_torn_texture(Mesh& mesh) {
     auto [texture, exists] = find_property(mesh, attribute::texture);
     if (!exists) return false;
@@ -58,7 +59,7 @@ bool drop_torn_texture(Mesh& mesh) {
     return true;
 }
 
-/// Largest distance, m, of the vertices and middles of faces of a mesh from another mesh.
+/// Returns the largest distance, m, of the vertices and middles of faces of a mesh from the mesh `from`.
 double farthest(const Mesh& mesh, const Mesh& from) {
     const AabbTree<CGAL::AABB_face_graph_triangle_primitive<Mesh>> tree(faces(from).first, faces(from).second,
                                                                         from);
@@ -72,14 +73,14 @@ double farthest(const Mesh& mesh, const Mesh& from) {
 /// Faces of an input that cross each other.
 struct InputCrossings {
     FaceMarks there, near;  ///< faces that cross, and these with the faces near them
-    std::size_t most = 0;   ///< pairs of faces that may cross there after remeshing
+    std::size_t most = 0;   ///< number of pairs of faces that may cross there after remeshing
 };
 
-// Lengths, in edge lengths, up to which edges are not split: of most faces, and of faces that cross, whose
-// parts would cross more often.
+// Lengths, in target edge lengths, up to which edges are not split: edges of most faces; and edges of faces
+// that cross in the input, since their parts would cross more often.
 constexpr double longest = 4.0 / 3, large = 2;
 
-/// Lengths of a face's shortest and longest edge, m.
+/// Returns the lengths of the shortest and the longest edge of a face, m.
 std::pair<double, double> edge_range(const Mesh& mesh, Face face) {
     const std::array<Eigen::Vector3d, 3> p = face_points(mesh, face);
     return std::minmax({(p[1] - p[0]).norm(), (p[2] - p[1]).norm(), (p[0] - p[2]).norm()});
@@ -95,7 +96,7 @@ bool share_a_place(const Mesh& mesh, const std::array<Face, 2>& pair) {
 }
 
 InputCrossings input_crossings(const Mesh& input, double edge_length) {
-    constexpr double pairs = 6;  // crossing pairs of faces for each edge length of an intersection
+    constexpr double pairs = 6;  // crossing pairs of faces per edge length along an intersection
     InputCrossings found{FaceMarks(input.number_of_faces(), 0), {}};
     for (const auto& pair : self_intersections(input)) {
         for (const Face face : pair) found.there[face] = 1;
@@ -109,7 +110,7 @@ InputCrossings input_crossings(const Mesh& input, double edge_length) {
     return found;
 }
 
-/// Lengths, m, up to which the edges of kept faces are not split; 0 for other faces.
+/// Returns the lengths, m, up to which the edges of kept faces are not split; 0 for other faces.
 std::vector<double> unsplit(const InputCrossings& crossings, double edge_length, const FaceMarks& kept) {
     std::vector<double> lengths(kept.size(), 0);
     for (std::size_t face = 0; face < kept.size(); ++face)
@@ -117,8 +118,8 @@ std::vector<double> unsplit(const InputCrossings& crossings, double edge_length,
     return lengths;
 }
 
-/// An attempt to remesh an input, with faces whose shape is kept, and with shorter edges where the result is
-/// bad.
+/// An attempt to remesh an input: the shape of some faces is kept, and edges are made shorter where the
+/// result is bad.
 class RemeshTrial {
   public:
     RemeshTrial(const Mesh& input, const RemeshOptions& options, const InputCrossings& there,
@@ -142,8 +143,8 @@ class RemeshTrial {
         }
     }
 
-    /// Number of crossing pairs of faces: all of them where no faces of the input cross, and those beyond the
-    /// number of the input's where these cross.
+    /// Returns the number of pairs of faces that cross: all pairs where no faces of the input cross and,
+    /// where faces of the input cross, the pairs beyond the number that InputCrossings allows.
     std::size_t crossings() const {
         return crossing.size() + (old_crossing.size() > there.most ? old_crossing.size() - there.most : 0);
     }
@@ -187,7 +188,7 @@ class RemeshTrial {
         }
     }
 
-    /// Edges that are far shorter than requested, where the input's faces are not kept.
+    /// Returns the edges that are far shorter than requested, where the faces of the input are not kept.
     std::vector<Edge> tiny_edges() const {
         const Mesh& mesh = remeshing.mesh();
         std::vector<Edge> tiny;
@@ -239,8 +240,8 @@ class RemeshTrial {
         return are_longer;
     }
 
-    /// Smallest target length at a vertex, m: a sixth of the requested one, or the input's shortest edge
-    /// there if that is less.
+    /// Returns the smallest target length at a vertex, m: a sixth of the requested length or, if that is
+    /// less, the shortest edge of the input there.
     double finest(Vertex v) const {
         constexpr double smallest = 1.0 / 6;
         return std::min(smallest * options.edge_length,
@@ -274,7 +275,7 @@ Remeshed remesh(const Mesh& mesh, const RemeshOptions& options) {
     auto trial = std::make_unique<RemeshTrial>(input, options, there, kept);
     constexpr int keepings = 8;
     for (int i = 0; i < keepings && trial->is_worse(); ++i) {
-        // The kept part grows from round to round, until it covers the faces that would be crossed.
+        // The part that is kept grows from round to round, until it covers the faces that would be crossed.
         FaceMarks more(kept.size(), 0);
         trial->mark_worse(more);
         for (int ring = 0; ring <= i / 2; ++ring) add_ring(input, more);

@@ -21,7 +21,7 @@ Remeshing::Remeshing(const InputSurface& surface, const SizeField& sizes, const 
     stretch = work.add_property_map<Edge, LineStretch>("e:stretch").first;
     whole = work.add_property_map<Edge, double>("e:whole", 0).first;
     for (const Edge edge : surface.mesh.edges()) {
-        // The copy has its own numbers of edges.
+        // The copy numbers its edges anew.
         const LineStretch& of = surface.lines.of_edge[edge];
         const Vertex a = surface.mesh.vertex(edge, 0), b = surface.mesh.vertex(edge, 1);
         const Edge copy = work.edge(work.halfedge(a, b));
@@ -42,8 +42,8 @@ Remeshing::Remeshing(const InputSurface& surface, const SizeField& sizes, const 
     fix_shared_lines();
 }
 
-/// Fixes vertices of shared lines, the same on all sheets, at distances of about the target length. Vertices
-/// between them are collapsed, and longer edges halved.
+/// Fixes vertices of shared lines at distances of about the target length, at the same places on all sheets.
+/// Other vertices between them are removed by collapses, and longer edges are halved.
 void Remeshing::fix_shared_lines() {
     constexpr double shortest = 0.75, shortest_last = 0.5;  // target lengths
     for (const FeatureLine& line : surface.lines.lines) {
@@ -83,7 +83,7 @@ void Remeshing::improve(int rounds) {
 }
 
 void Remeshing::split_long() {
-    constexpr int sweeps = 24;           // each halves edges: enough for any length
+    constexpr int sweeps = 24;           // each sweep halves long edges: enough for any length
     constexpr double longest = 4.0 / 3;  // target lengths
     for (int sweep = 0; sweep < sweeps; ++sweep) {
         bool is_done = true;
@@ -124,12 +124,12 @@ void Remeshing::split(Edge edge) {
     const InputSurface::Site found = below_edge(a, b, near);
     place_at(v, found);
     const Vector3d place = was.line == LineStretch::none ? found.place : near;
-    const bool is_given = site[v].is_fixed;  // by a shared line
+    const bool is_given = site[v].is_fixed;  // a shared line gives the place
     work.point(v) = point_at(is_given || fits(v, place, 0) ? place : middle);
 }
 
-/// The point of the surface below a point of an edge. Where an end is on a line, its face may be on the other
-/// side of the line.
+/// Returns the point of the surface nearest to `near`, a point at the edge between a and b. The search begins
+/// at an end that is on no line, since the face of an end on a line may be on the other side of the line.
 InputSurface::Site Remeshing::below_edge(Vertex a, Vertex b, const Vector3d& near) const {
     if (!site[a].is_on_line) return surface.nearest(site[a].face, near, false);
     if (!site[b].is_on_line) return surface.nearest(site[b].face, near, false);
@@ -172,9 +172,9 @@ bool Remeshing::flip(Edge edge) {
 
 /// Moves vertices towards the mean of the centroids of the faces around them, weighted by area over squared
 /// target length. perturbation: random displacement, in target lengths, which breaks the order of a mesh that
-/// came as a grid.
+/// was a grid.
 void Remeshing::move_vertices(double perturbation) {
-    constexpr double fine_angle = 32 * degree;  // down to which angles may decrease
+    constexpr double fine_angle = 32 * degree;  // rad: angles may decrease down to this
     for (const Vertex v : work.vertices()) {
         if (site[v].is_fixed) continue;
         const double least = std::min(angle_at(v), fine_angle);
@@ -200,8 +200,8 @@ void Remeshing::move_vertices(double perturbation) {
     }
 }
 
-/// Moves a vertex to the point of the surface nearest to `to`, without crossing lines, if the triangles there
-/// fit.
+/// Moves a vertex to the point of the surface nearest to `to`, without crossing lines, if fits() allows this.
+/// Returns whether it was moved.
 bool Remeshing::move(Vertex v, const Vector3d& to, double least_angle) {
     const InputSurface::Site found = surface.nearest(site[v].face, to, false);
     if (!fits(v, found.place, least_angle)) return false;
@@ -210,7 +210,8 @@ bool Remeshing::move(Vertex v, const Vector3d& to, double least_angle) {
     return true;
 }
 
-/// Moves a vertex along its line, by a part of the way to the middle between its neighbours.
+/// Moves a vertex along its line, by the fraction `part` of the distance to the middle between its neighbours
+/// on the line, if fits() allows this. Returns whether it was moved.
 bool Remeshing::slide(Vertex v, double part, double least_angle) {
     const std::vector<LineEnd> ends = line_ends(v);
     if (ends.size() != 2 || ends[0].line != ends[1].line) return false;
@@ -273,7 +274,7 @@ void Remeshing::set_line(Edge edge, Vertex v, const LineEnd& end) {
     stretch[edge] = {end.line, v, end.other, end.at_vertex, end.at_other};
 }
 
-/// Smallest angle of the faces around a vertex, rad.
+/// Returns the smallest angle of the faces around a vertex, rad.
 double Remeshing::angle_at(Vertex v) const {
     double least = std::numbers::pi;
     for (const Face face : work.faces_around_target(work.halfedge(v)))
@@ -282,8 +283,7 @@ double Remeshing::angle_at(Vertex v) const {
     return least;
 }
 
-/// Whether the normal of a triangle agrees with that of the surface below those of its corners that are on no
-/// line.
+/// Whether the normal of a triangle agrees with the normal of the surface at each corner that is on no line.
 bool Remeshing::approximates_surface(const std::array<Vertex, 3>& corners, const Triangle& places) const {
     constexpr double away = 0.5;  // cosine
     const Vector3d normal = triangle_normal(places);

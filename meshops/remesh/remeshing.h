@@ -17,8 +17,8 @@ namespace sherd {
 /// operation turns a face away from the surface.
 class Remeshing {
   public:
-    /// unsplit: [F] m, length up to which the edges of a face of the surface are not split; 0: the target
-    /// length. The surface and the sizes have to outlive this.
+    /// unsplit: [F] m, length up to which the edges of each face of the surface are not split; 0: the target
+    /// length decides. `surface` and `sizes` must outlive this.
     Remeshing(const InputSurface& surface, const SizeField& sizes, const std::vector<double>& unsplit);
     Remeshing(const Remeshing&) = delete;
     Remeshing& operator=(const Remeshing&) = delete;
@@ -30,7 +30,7 @@ class Remeshing {
     void improve(int rounds);
 
     const Mesh& mesh() const { return work; }
-    /// The face of the surface that the vertex lies in.
+    /// Returns the face of the surface in which the vertex lies.
     Face face_below(Vertex v) const { return site[v].face; }
     double size_at(Vertex v) const { return site[v].size; }  ///< m, target edge length
 
@@ -41,7 +41,7 @@ class Remeshing {
     struct Site {
         Face face;
         double size = 0;        ///< m, target edge length
-        bool is_fixed = false;  ///< corner of lines, or chosen vertex of a shared line
+        bool is_fixed = false;  ///< whether it is a corner of lines or a chosen vertex of a shared line
         bool is_on_line = false;
     };
     /// Edge of a line at a vertex, with the places (m) of both ends along the line.

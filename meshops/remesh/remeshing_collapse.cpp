@@ -24,8 +24,8 @@ void Remeshing::collapse_short() {
     }
 }
 
-/// Whether the source of h may be moved to its target, so that no edge is longer than `slack` times the
-/// target length, and no angle falls below `least_angle` or, if that is less, the smallest one before.
+/// Whether the source of h may be moved to its target: then no edge is longer than `slack` times the target
+/// length, and no angle falls below `least_angle` or, if that is smaller, below the smallest angle before.
 bool Remeshing::may_collapse(Halfedge h, double slack, double least_angle) const {
     const Vertex gone = work.source(h), stays = work.target(h);
     if (!keeps_lines(h) || !CGAL::Euler::does_satisfy_link_condition(work.edge(h), work)) return false;
@@ -69,7 +69,7 @@ void Remeshing::collapse(Halfedge h) {
     const Vertex gone = work.source(h), stays = work.target(h);
     const Point place = work.point(stays);
     const Site kept = site[stays];
-    // Lines at both vertices, with the ends that they have at the merged vertex.
+    // Edges of lines at both vertices, with the merged vertex as their end.
     std::vector<LineEnd> ends;
     double here = 0;
     for (const LineEnd& end : line_ends(stays))

@@ -9,7 +9,7 @@
 namespace sherd {
 namespace {
 
-/// First of the vertices that coincide with each vertex: [V].
+/// Returns, for each vertex, [V], the first of the vertices that coincide with it.
 std::vector<Vertex> first_at_place(const Mesh& mesh) {
     std::vector<Vertex> sorted(mesh.vertices().begin(), mesh.vertices().end());
     std::ranges::stable_sort(sorted, {}, [&](Vertex v) { return mesh.point(v); });
@@ -36,7 +36,7 @@ std::vector<PlacedEdge> by_ends(const Mesh& mesh, const std::vector<Vertex>& pla
     return edges;
 }
 
-/// Whether two faces at these edges, which have the same ends, have the same third corner, too.
+/// Whether two of the faces at `edges`, which have the same ends, have the same third corner, too.
 bool have_doubled_faces(const Mesh& mesh, const std::vector<Vertex>& place,
                         std::span<const PlacedEdge> edges) {
     std::vector<Vertex> apexes;

@@ -14,11 +14,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Largest increase of the target length over distance.
+/// Largest increase of the target length per distance.
 constexpr double slope = 0.4;
 
-/// Largest of the curvatures across the edges at each vertex, 1/m: the angle between two faces' normals over
-/// the distance of their middles across their edge.
+/// Returns for each vertex, 1/m, the largest curvature across an edge at it: the angle between the normals of
+/// the two faces of the edge, divided by the distance of their middles across the edge.
 std::vector<double> curvatures(const InputSurface& surface) {
     const Mesh& mesh = surface.mesh;
     std::vector<double> curvature(mesh.number_of_vertices(), 0);
@@ -35,7 +35,8 @@ std::vector<double> curvatures(const InputSurface& surface) {
     return curvature;
 }
 
-/// Curvature of a line at a point between its ends, 1/m, measured over `reach` (m) on both sides.
+/// Returns the curvature of a line at the distance `way` (m) along it, between its ends, 1/m, measured over
+/// `reach` (m) on both sides.
 double curvature_of(const FeatureLine& line, double way, double reach) {
     const double aside = std::min({reach, way, line.length() - way});
     if (!(aside > 0)) return 0;
@@ -43,7 +44,8 @@ double curvature_of(const FeatureLine& line, double way, double reach) {
     return 2 * std::atan2(back.cross(on).norm(), -back.dot(on)) / (back.norm() + on.norm());
 }
 
-/// Adds the curvature of lines between their corners.
+/// Increases the curvature at vertices between corners of lines to the curvature of their lines, if that is
+/// larger.
 void add_line_curvature(const InputSurface& surface, double reach, std::vector<double>& curvature) {
     for (const LineStretch& edge : surface.lines.of_edge) {
         if (edge.line == LineStretch::none) continue;
@@ -55,8 +57,8 @@ void add_line_curvature(const InputSurface& surface, double reach, std::vector<d
     }
 }
 
-/// Reduces lengths where they increase too fast along the edges of a mesh, and makes them equal at coincident
-/// vertices of shared lines.
+/// Reduces target lengths where they increase too fast along the edges of a mesh, and makes them equal at
+/// coincident vertices of shared lines.
 void grade(const Mesh& mesh, const std::vector<std::vector<Vertex>>& coincident, std::vector<double>& sizes) {
     std::vector<const std::vector<Vertex>*> others(sizes.size(), nullptr);
     for (const std::vector<Vertex>& some : coincident)
@@ -79,10 +81,10 @@ void grade(const Mesh& mesh, const std::vector<std::vector<Vertex>>& coincident,
     }
 }
 
-/// Target lengths at the vertices of the surface: [V] m.
+/// Returns the target lengths at the vertices of the surface: [V] m.
 std::vector<double> sizes_by_curvature(const InputSurface& surface, double edge_length) {
-    constexpr double rise = 0.06;         // edge lengths, height of the surface over chords
-    constexpr double smallest = 1.0 / 6;  // edge lengths, however curved
+    constexpr double rise = 0.06;         // edge lengths, largest height of the surface over chords
+    constexpr double smallest = 1.0 / 6;  // edge lengths, smallest target length, however curved
     std::vector<double> sizes = curvatures(surface);
     add_line_curvature(surface, edge_length / 3, sizes);
     for (double& size : sizes) {

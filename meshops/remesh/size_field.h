@@ -11,13 +11,14 @@ namespace sherd {
 /// Target edge length at the points of a surface.
 class SizeField {
   public:
-    /// Target length `edge_length` (m) or, if it is adaptive, less where chords of that length would deviate
-    /// from the surface or a line by more than a fraction of it. The surface has to outlive this.
+    /// The target length is `edge_length` (m). If it is adaptive, it is less where chords of that length
+    /// would deviate from the surface, or from a line, by more than a fraction of `edge_length`. `surface`
+    /// must outlive this.
     SizeField(const InputSurface& surface, double edge_length, bool adaptive);
 
-    double at(const InputSurface::Site& site) const;  ///< m
-    /// Reduces the target length at a point to `size` (m), and less so around it. Returns whether it was
-    /// larger.
+    double at(const InputSurface::Site& site) const;  ///< m, target length
+    /// Reduces the target length at a point to `size` (m), and by less around the point. Returns whether it
+    /// was larger before.
     bool refine(const InputSurface::Site& site, double size);
 
   private:
@@ -27,7 +28,7 @@ class SizeField {
     };
 
     const InputSurface& surface;
-    std::vector<double> sizes;  ///< [V] m, by curvature
+    std::vector<double> sizes;  ///< [V] m, target lengths by curvature
     std::vector<Source> sources;
 };
 

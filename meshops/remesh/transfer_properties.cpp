@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// The face of the surface below the middle of a face.
+/// Returns the face of the surface below the middle of `face`, a face of `mesh`.
 Face face_below(const InputSurface& surface, const std::vector<Face>& below, const Mesh& mesh, Face face) {
     const Vector3d middle = centroid(mesh, face);
     const Vector3d normal = triangle_normal(face_points(mesh, face));
@@ -49,7 +49,8 @@ void carry_file_vertices(const InputSurface& surface, const std::vector<Face>& b
     }
 }
 
-/// Gives the vertices the mean of a face's corners below them.
+/// Gives each vertex of `mesh` the mean of the values at the corners of the face of the surface below it, by
+/// the weights of its place there.
 template <class Value, Inherits rule>
 void carry(const InputSurface& surface, const std::vector<Face>& below, const std::vector<Face>&, Mesh& mesh,
            const Attribute<Vertex, Value, rule>& attribute) {
@@ -65,8 +66,8 @@ void carry(const InputSurface& surface, const std::vector<Face>& below, const st
     }
 }
 
-/// Gives the faces the value of the face below their middle; texture coordinates are those of the place.
-/// side: [F] that face.
+/// Gives each face of `mesh` the value of the face of the surface below its middle; texture coordinates are
+/// interpolated at each corner. side: [F] the face of the surface below the middle of each face.
 template <class Value, Inherits rule>
 void carry(const InputSurface& surface, const std::vector<Face>&, const std::vector<Face>& side, Mesh& mesh,
            const Attribute<Face, Value, rule>& attribute) {

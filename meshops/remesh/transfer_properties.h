@@ -7,9 +7,9 @@
 
 namespace sherd {
 
-/// Gives a remeshed mesh the attributes of the surface below it, and the places of its vertices in triangles
-/// of the file. Values that change along a line of the surface, as at a seam, change along the same line of
-/// the mesh. below: [V] a face of the surface for each vertex.
+/// Gives a remeshed mesh the attributes of the surface below it, and gives its vertices their places in
+/// triangles of the file. Values that differ on the two sides of a line of the surface, as at a seam, differ
+/// on the two sides of the same line of the mesh. below: [V] the face of the surface below each vertex.
 void transfer_properties(const InputSurface& surface, const std::vector<Face>& below, Mesh& mesh);
 
 }  // namespace sherd

@@ -11,7 +11,7 @@
 namespace sherd {
 namespace {
 
-/// Joins the coincident corners of flat triangles.
+/// Joins coincident corners of triangles of zero area (flat triangles).
 void join_corners(TriangleSoup& soup) {
     DisjointSets points(soup.points.size());
     for (const std::size_t t : zero_area_triangles(soup))
@@ -32,7 +32,7 @@ void erase_collapsed(TriangleSoup& soup) {
     erase_triangles(soup, collapsed);
 }
 
-/// The corner where the longest side of a triangle starts.
+/// Returns the number of the corner where the longest side of a triangle starts.
 int longest_side(const TriangleSoup& soup, std::size_t triangle) {
     std::array<double, 3> squared{};
     for (int i = 0; i < 3; ++i)
@@ -41,8 +41,9 @@ int longest_side(const TriangleSoup& soup, std::size_t triangle) {
     return static_cast<int>(std::ranges::max_element(squared) - squared.begin());
 }
 
-/// Divides the triangle beyond the longest side of a flat triangle at the flat one's third corner. The flat
-/// triangle becomes the second half.
+/// Divides the triangle across the longest side of a flat triangle at the third corner of the flat triangle,
+/// which lies on that side. beyond: that side in the triangle to be divided. The flat triangle becomes one of
+/// the two halves.
 void divide(TriangleSoup& soup, std::size_t flat, const SoupSide& beyond) {
     const int start = beyond.corner, end = (start + 1) % 3;
     const std::uint32_t middle = soup.triangles[flat][(longest_side(soup, flat) + 2) % 3];
@@ -53,7 +54,7 @@ void divide(TriangleSoup& soup, std::size_t flat, const SoupSide& beyond) {
     auto& second = soup.triangles[flat] = first;
     first[end] = second[start] = middle;
     soup.polygon[flat] = soup.polygon[beyond.triangle];
-    // The half with the first corner stays before the other.
+    // The half with the start of the side keeps the lower number.
     if (flat < beyond.triangle) std::swap(first, second);
     if (soup.texture.empty()) return;
     FaceTexture& texture = soup.texture[beyond.triangle];
@@ -63,7 +64,9 @@ void divide(TriangleSoup& soup, std::size_t flat, const SoupSide& beyond) {
     if (flat < beyond.triangle) std::swap(texture, soup.texture[flat]);
 }
 
-/// Divides the triangles beyond flat ones, at most once each. Returns the flat triangles that join nothing.
+/// Divides the triangles across the longest sides of flat triangles, each triangle at most once. Returns the
+/// flat triangles that join nothing: no triangle is across the longest side, or none is across the two other
+/// sides.
 std::vector<std::size_t> divide_beyond(TriangleSoup& soup, const std::vector<std::size_t>& flat) {
     std::vector<bool> is_flat(soup.triangles.size(), false), is_changed(soup.triangles.size(), false);
     std::vector<bool> has_beyond(soup.triangles.size(), false), has_beside(soup.triangles.size(), false);
@@ -111,8 +114,8 @@ void order_by_polygon(TriangleSoup& soup) {
 }  // namespace
 
 void remove_zero_area_triangles(TriangleSoup& soup) {
-    // A division leaves shorter flat triangles at most; so many rounds are enough for any chain of them that
-    // is not constructed as a bad case.
+    // A division can only leave shorter flat triangles. So many rounds are enough for any chain of flat
+    // triangles that was not constructed to need more.
     constexpr int most_rounds = 1000;
     for (int round = 0; round < most_rounds; ++round) {
         join_corners(soup);

@@ -5,10 +5,11 @@
 
 namespace sherd {
 
-/// Removes triangles of zero area (zero_area_triangles()) and joins the triangles beside them, so that no
-/// slit is left: corners at one place become one point, and a corner on the opposite side divides the
-/// triangle beyond that side, with its texture coordinates. A flat triangle that joins nothing, at a boundary
-/// or where more than two meet, is dropped. Triangles of a polygon still follow each other.
+/// Removes flat triangles, which have zero area (zero_area_triangles()), and joins the triangles around them,
+/// so that no slit is left. Coincident corners of a flat triangle become one point. A corner on the opposite
+/// side of a flat triangle divides the triangle across that side, and texture coordinates are interpolated. A
+/// flat triangle that joins nothing, since a side is on the boundary or belongs to more than two triangles,
+/// is dropped. Triangles of a polygon still follow each other.
 void remove_zero_area_triangles(TriangleSoup& soup);
 
 }  // namespace sherd

@@ -55,8 +55,8 @@ bool has_negative_volume(const TriangleSoup& soup, const Component& component) {
     return volume < -1e-9 * size;
 }
 
-/// Winding number of a closed component about a point: its solid angle over that of a sphere (van Oosterom
-/// and Strackee 1983).
+/// Returns the winding number of a closed component about a point: the solid angle of the component seen from
+/// the point, divided by 4 pi (van Oosterom and Strackee 1983).
 double winding_number(const TriangleSoup& soup, const Component& component, const Point& point) {
     double sum = 0;
     for (const std::size_t t : component.triangles) {

@@ -7,9 +7,9 @@
 
 namespace sherd {
 
-/// Triangles of closed components whose normals point inward, ascending: components of negative volume that
-/// no other closed component encloses (the normals of a cavity are to point into it). The soup must be the
-/// result of separate_sheets() and orient().
+/// Returns the triangles, ascending, of closed components that are inside out: their volume is negative and
+/// no other closed component encloses them. (An enclosed component of negative volume is a cavity, whose
+/// normals rightly point into it.) The soup must be the result of separate_sheets() and orient().
 std::vector<std::size_t> inside_out_triangles(const TriangleSoup& soup);
 
 }  // namespace sherd

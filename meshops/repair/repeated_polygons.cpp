@@ -10,7 +10,7 @@ namespace {
 using PolygonCorners = std::vector<std::size_t>;
 using PolygonSide = std::pair<std::size_t, std::size_t>;
 
-/// Corners in an order that is independent of the first corner and of the orientation.
+/// Returns the corners of a polygon in an order that is independent of its first corner and its orientation.
 PolygonCorners ordered_corners(const PolygonCorners& corners) {
     PolygonCorners best;
     PolygonCorners turned(corners.rbegin(), corners.rend());
@@ -26,7 +26,8 @@ void append_sides(const PolygonCorners& corners, std::vector<PolygonSide>& sides
         sides.push_back(std::minmax({corners[i], corners[(i + 1) % corners.size()]}));
 }
 
-/// Sides that occur an odd number of times: sides between two parts of a polygon cancel.
+/// Returns the sides that occur an odd number of times; a side between two parts of a polygon occurs twice
+/// and cancels.
 std::vector<PolygonSide> outline(std::vector<PolygonSide> sides) {
     std::ranges::sort(sides);
     std::vector<PolygonSide> result;
@@ -39,7 +40,7 @@ std::vector<PolygonSide> outline(std::vector<PolygonSide> sides) {
     return result;
 }
 
-/// Polygons by the points that they use.
+/// The polygons that use each point.
 class PolygonsAt {
   public:
     explicit PolygonsAt(const PolygonSoup& soup) : soup(soup), first(soup.points.size() + 1, 0) {
@@ -52,7 +53,8 @@ class PolygonsAt {
             for (const std::size_t point : soup.polygons[i]) polygons[next[point]++] = i;
     }
 
-    /// Returns the polygons of fewer corners, all of which are corners of this one; ascending.
+    /// Returns, ascending, the polygons that have fewer corners than `polygon`, all of which are corners of
+    /// `polygon`, too.
     std::vector<std::size_t> parts_of(std::size_t polygon) const {
         const PolygonCorners& corners = soup.polygons[polygon];
         const auto is_corner = [&](std::size_t point) {
@@ -72,7 +74,7 @@ class PolygonsAt {
 
   private:
     const PolygonSoup& soup;
-    /// The polygons at point p are `polygons` from first[p] to first[p + 1].
+    /// The polygons at point p are entries first[p] to first[p + 1] - 1 of `polygons`.
     std::vector<std::size_t> first, polygons;
 };
 
@@ -89,7 +91,7 @@ void add_repeated_wholes(const PolygonSoup& soup, std::vector<RepeatedPolygon>& 
     }
 }
 
-/// Whether the parts, each taken once, have the outline of the polygon.
+/// Whether the parts together, without repetitions, have the outline of the polygon.
 bool fill(const PolygonSoup& soup, const std::vector<std::size_t>& parts, std::size_t polygon) {
     std::vector<PolygonCorners> different;
     for (const std::size_t part : parts) different.push_back(ordered_corners(soup.polygons[part]));

@@ -38,7 +38,7 @@ namespace {
 
 using EdgePoints = std::array<std::uint32_t, 2>;
 
-/// Boundary edges of a soup, ascending, and a grid of their ends.
+/// The boundary edges of a soup, ascending, with a grid in which their ends are searched.
 class SoupBorder {
   public:
     explicit SoupBorder(const TriangleSoup& soup) : soup(soup) {
@@ -81,8 +81,8 @@ class SoupBorder {
     std::optional<PointGrid> grid;
 };
 
-/// Distance of an edge's ends from those of the nearest other boundary edge; nullopt if there is none within
-/// `within`.
+/// Returns the gap between an edge and the nearest other boundary edge: the larger of the two distances
+/// between corresponding ends. Returns nullopt if no other edge has both ends within `within`.
 std::optional<double> gap_of(const SoupBorder& border, const EdgePoints& edge, double within) {
     std::optional<double> least;
     const std::vector<std::uint32_t> ends = border.near(edge[1], within);
@@ -152,12 +152,12 @@ class JunctionDivision {
     }
 
   private:
-    /// A triangle, or a part of one.
+    /// A triangle of the old soup or a part of such a triangle.
     struct Part {
         std::array<std::uint32_t, 3> corners;
         std::optional<FaceTexture> texture;
         std::size_t polygon;
-        std::array<bool, 3> is_open;  ///< whether points may lie on each side
+        std::array<bool, 3> is_open;  ///< for each side, whether points may lie on it
     };
 
     std::span<const Junction> on_side(const Part& part, int side) const {
@@ -177,7 +177,7 @@ class JunctionDivision {
         if (part.texture) soup.texture.push_back(*part.texture);
     }
 
-    /// Divides a triangle at the points on a side, beginning at the side's start.
+    /// Divides a triangle at the points on its side number `side`, beginning at the start of that side.
     void add_parts(const Part& whole, int side, std::span<const Junction> points) {
         const int end = (side + 1) % 3, last = (side + 2) % 3;
         const bool is_rising = whole.corners[side] < whole.corners[end];

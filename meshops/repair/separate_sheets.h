@@ -7,12 +7,13 @@
 
 namespace sherd {
 
-/// Duplicates points so that every edge has at most two triangles and every point one fan of them. Where more
-/// than two triangles meet at an edge, pairs of them stay joined: first pairs that agree in orientation, then
-/// those that are also connected elsewhere, then those with the smallest dihedral angle; among equals, those
-/// that bend away from their normals, as in two boxes that touch along an edge. Where two pairs are equal in
-/// all of this, and for triangles left over, the edge becomes a boundary. Parts that share only a point get
-/// one each. Returns the points that were duplicated, ascending.
+/// Duplicates points so that every edge has at most two triangles and the triangles at every point form one
+/// fan. Where more than two triangles meet at an edge, pairs of them stay joined. First come pairs that agree
+/// in orientation; among these, pairs that are also connected elsewhere; then pairs with the smallest
+/// dihedral angle; then pairs that bend away from their normals, as where two boxes touch along an edge. Two
+/// pairs with a common triangle that are equal in all of this are both separated. Where a triangle has no
+/// partner, the edge becomes a boundary. Parts that share only a point get a point each. Returns the points
+/// that were duplicated, ascending.
 std::vector<std::uint32_t> separate_sheets(TriangleSoup& soup);
 
 }  // namespace sherd

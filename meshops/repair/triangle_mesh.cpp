@@ -17,7 +17,7 @@ namespace {
     throw Error("face " + std::to_string(face) + ": " + what);
 }
 
-/// "vertices 3, 4 and 5".
+/// Returns the corners of a face as text: "vertices 3, 4 and 5".
 std::string corners(const TriangleSoup& soup, std::size_t face) {
     const auto& [a, b, c] = soup.triangles[face];
     return "vertices " + std::to_string(a) + ", " + std::to_string(b) + " and " + std::to_string(c);

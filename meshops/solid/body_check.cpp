@@ -12,7 +12,8 @@ namespace sherd {
 
 namespace {
 
-/// Fills the mesh. Returns false if the triangles do not form a manifold.
+/// Adds the points and triangles of `body` to an empty mesh. Returns false if the triangles do not form a
+/// manifold.
 bool fill(Mesh& mesh, const TriangleSheet& body) {
     for (const auto& p : body.points) mesh.add_vertex(point_at(p));
     for (const auto& [a, b, c] : body.triangles)
@@ -31,7 +32,8 @@ BodyCheck check_body(const TriangleSheet& body) {
         check.intersections.push_back({static_cast<std::size_t>(a), static_cast<std::size_t>(b)});
     if (!(check.closed = CGAL::is_closed(mesh))) return check;
     check.volume = processing::volume(mesh);
-    // A body that intersects itself bounds no volume in the strict sense.
+    // A body that intersects itself bounds no volume in the strict sense, so that only the sign of its volume
+    // counts.
     check.outward = check.intersections.empty() ? processing::does_bound_a_volume(mesh) && check.volume > 0
                                                 : check.volume > 0;
     return check;

@@ -10,7 +10,8 @@ namespace sherd {
 SolidMoments solid_moments(const Mesh& mesh) {
     using Eigen::Matrix3d, Eigen::Vector3d;
     const MeshMeasures extent = measure(mesh);
-    // Tetrahedra join the middle of the mesh to each face: from a distant origin, digits would be lost.
+    // The sums are over tetrahedra between each face and the middle of the mesh. With a distant point in
+    // place of the middle, digits would be lost.
     const Vector3d middle = (extent.lower + extent.upper) / 2;
     SolidMoments sum{0, Vector3d::Zero(), Matrix3d::Zero()};
     for (const Face face : mesh.faces()) {

@@ -12,17 +12,20 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Bound on offset over half thickness: a fold sharper than 120 degrees gets thinner instead of a spike.
+/// Upper bound of the offset of a point, in half thicknesses: at a fold by more than 120 degrees the body
+/// gets thinner; without the bound it would get a spike there.
 constexpr double largest_stretch = 2;
 constexpr double largest_turn = std::numbers::pi / 9, largest_turn_touching = std::numbers::pi / 2;
-/// In thicknesses: the distance up to which sides of a crack are offset alike, and the gap left between them.
+/// Fractions of the thickness: the distance up to which points on the two sides of a crack are offset in the
+/// same direction, and the width of the gap left between the sides of a closed crack.
 constexpr double together_distance = 0.5, crack_width = 0.01;
 
 double angle_between(const Vector3d& a, const Vector3d& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// Value of a triangle with these corners of another one, given by their numbers in that.
+/// Returns the value of a triangle of the body, given the value of its source triangle and the numbers of its
+/// corners in the source triangle. Only texture coordinates depend on the corners.
 template <class Value>
 Value with_corners(const Value& value, const std::array<int, 3>& corners) {
     if constexpr (std::same_as<Value, FaceTexture>)
@@ -59,10 +62,11 @@ std::vector<BoundaryEdge> boundary_edges(const TriangleSheet& sheet) {
 
 /// Sums over the triangles around a point.
 struct Surroundings {
-    Vector3d direction = Vector3d::Zero();    ///< normals weighted by angle
-    Vector3d area_normal = Vector3d::Zero();  ///< normals weighted by area
-    double area = 0, volume = 0;              ///< twice the area, and twice the area times the thickness
-    Vector3d inward = Vector3d::Zero();       ///< unit vectors away from the boundary, in its triangles
+    Vector3d direction = Vector3d::Zero();    ///< sum of unit normals weighted by the angle at the point
+    Vector3d area_normal = Vector3d::Zero();  ///< m^2, sum of unit normals weighted by twice the area
+    double area = 0, volume = 0;         ///< twice the area (m^2); twice the area times the thickness (m^3)
+    Vector3d inward = Vector3d::Zero();  ///< for boundary edges at the point, sum of unit vectors across the
+                                         ///< edge into its triangle
 
     double thickness() const { return area > 0 ? volume / area : 0; }
     Vector3d offset() const {
@@ -100,7 +104,7 @@ std::vector<Surroundings> surroundings(const TriangleSheet& sheet, std::span<con
     return around;
 }
 
-/// Points with the sums over their triangles.
+/// Points (m), each with the sums over the triangles around it.
 struct Sides {
     std::vector<Vector3d> points;
     std::vector<Surroundings> around;
@@ -114,8 +118,8 @@ struct Sides {
                            : turn < largest_turn &&
                                  (points[a] - points[b]).norm() < together_distance * around[a].thickness();
     }
-    /// Displacement of a point away from the boundary that moves both boundary edges at it back by half the
-    /// crack width.
+    /// Returns the displacement of a boundary point, m, that moves both boundary edges at the point back by
+    /// half the width of the gap.
     Vector3d retreat(std::size_t i) const {
         const Vector3d& inward = around[i].inward;
         const double length = std::max(inward.squaredNorm(), 1.0);
@@ -123,7 +127,8 @@ struct Sides {
     }
 };
 
-/// Gives points of the same origin that lie together a common offset direction.
+/// Gives those of `points`, copies of one vertex, that lie together a common direction of offset. before: all
+/// points as they were before treat_cracks().
 void align(std::vector<std::size_t> points, const Sides& before, Sides& sides) {
     while (points.size() > 1) {
         const std::size_t first = points.front();
@@ -137,7 +142,7 @@ void align(std::vector<std::size_t> points, const Sides& before, Sides& sides) {
     }
 }
 
-/// Moves points that touch another one of the same origin back from the crack.
+/// Moves each of `points`, copies of one vertex, that touches another of them back from the crack.
 void part(std::span<const std::size_t> points, const Sides& before, Sides& sides) {
     for (const std::size_t i : points) {
         const bool touches =
@@ -171,12 +176,14 @@ TriangleSheet thickened(const TriangleSheet& sheet, std::span<const double> thic
     body.triangles = sheet.triangles;
     for (const auto& [a, b, c] : sheet.triangles)
         body.triangles.push_back({a + points, c + points, b + points});
-    // Source triangle of each triangle, and the numbers of its corners there.
+    // For each triangle of the body, the triangle of the sheet whose properties it takes, and the numbers of
+    // its corners in that triangle.
     std::vector<std::pair<std::size_t, std::array<int, 3>>> source;
     for (const auto& corners : {std::array{0, 1, 2}, std::array{0, 2, 1}})
         for (std::size_t t = 0; t < sheet.triangles.size(); ++t) source.emplace_back(t, corners);
     for (const auto& [from, to, triangle, side] : boundary) {
-        // The strips of both sides of a crack use the same diagonal; different ones would intersect.
+        // On both sides of a crack, the quadrilaterals along it are divided by the same diagonal; different
+        // diagonals would intersect.
         const bool rising = origin.empty() || origin[to] < origin[from];
         body.triangles.push_back({to, from, rising ? from + points : to + points});
         body.triangles.push_back({rising ? to : from, from + points, to + points});

@@ -7,21 +7,24 @@
 
 namespace sherd {
 
-/// Thickens the sheet to a closed body, oriented outward: point i becomes i (on the side that the normals
-/// point to) and P + i (on the other), triangle t becomes t and, with opposite orientation, T + t, followed
-/// by two triangles for each boundary edge, in the order of triangles and of their sides. Each connected part
-/// becomes a body of its own. Triangles keep their properties except normals. Those along a boundary
-/// edge take the properties of its triangle there, and are shaded as a rim. thickness: [T] m.
+/// Thickens a sheet of P points and T triangles to a closed body, oriented outward. Point i of the sheet
+/// becomes point i of the body, on the side that the normals point to, and point P + i on the other side.
+/// Triangle t becomes triangle t and, with opposite orientation, triangle T + t. Two triangles for each
+/// boundary edge follow, in the order of the sheet's triangles and of their sides. Each connected part of the
+/// sheet becomes a body of its own. Triangles of the body have the properties, except normals, of the sheet's
+/// triangles that they come from; triangles along a boundary edge have those of the sheet's triangle there,
+/// and are shaded as a rim. thickness: [T] m.
 ///
-/// Points are offset along the normal weighted by angle, so far that the area-weighted mean of the distances
-/// from the triangles around the point is half the thickness (at a fold the offset is longer, up to twice):
-/// the volume is area times thickness up to terms of curvature squared.
+/// A point is offset along the mean of the normals of the triangles around it, weighted by angle. The offset
+/// is so long that the distances of the offset point from the planes of these triangles have half the
+/// thickness as their mean, weighted by area. At a fold the offset is therefore longer, up to the thickness.
+/// The volume of the body is the sheet's area times the thickness, up to terms of curvature squared.
 ///
-/// origin: [P] or empty; points with the same origin were one vertex before a crack split it. While they are
-/// closer than half the thickness and their normals differ by less than 20 degrees, they are offset in the
-/// same direction. While they are closer than 1 % of the thickness this holds up to 90 degrees, and each
-/// moves back from the crack by half of that distance, so that the sides of a closed crack neither touch nor
-/// intersect.
+/// origin: [P] or empty; points with the same origin were one vertex before a crack split it. If such points
+/// are closer to each other than half the thickness, and their normals differ by less than 20 degrees, they
+/// are offset in the same direction. If they are closer than 1 % of the thickness, a difference of up to 90
+/// degrees is allowed, and each of them moves back from the crack by 0.5 % of the thickness, so that the
+/// sides of a closed crack neither touch nor intersect.
 TriangleSheet thickened(const TriangleSheet& sheet, std::span<const double> thickness,
                         std::span<const std::int32_t> origin = {});
 

@@ -7,7 +7,7 @@
 namespace sherd {
 namespace {
 
-constexpr std::int64_t most_rows = 1 << 20;  // so that three of them fit into a key
+constexpr std::int64_t most_rows = 1 << 20;  // along an axis; three row numbers fit into a key
 
 Point moved(const Point& point, double by) {
     return {point.x() + by, point.y() + by, point.z() + by};
@@ -48,7 +48,7 @@ std::vector<std::uint32_t> PointGrid::candidates(const Point& a, const Point& b,
     const auto whole = b - a;
     const double pieces = std::max(std::ceil(std::sqrt(whole.squared_length()) / cell), 1.0);
     const double cells = pieces * std::pow(2 + 2 * distance / cell, 3);
-    // Where a segment is much longer than a cell, all points are fewer than the cells around it.
+    // If a segment is much longer than a cell, all points are fewer than the cells around the segment.
     if (!(cells <= static_cast<double>(chosen.size()) + 64)) return chosen;
     std::vector<std::uint32_t> result;
     for (double piece = 0; piece < pieces; ++piece) {

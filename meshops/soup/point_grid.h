@@ -9,26 +9,27 @@
 
 namespace sherd {
 
-/// Finds points that are near to a segment, by the cells of a grid.
+/// Finds points near a segment, with the cells of a grid.
 class PointGrid {
   public:
-    /// Takes the numbers of the points to be found, ascending, and the side of a cell: the search is fast
-    /// where segments are about as long. `points` must outlive the grid.
+    /// chosen: numbers of the points that can be found, ascending. cell: side of a cell; the search is fast
+    /// if segments are about as long. `points` must outlive the grid.
     PointGrid(const std::vector<Point>& points, std::vector<std::uint32_t> chosen, double cell);
 
-    /// Returns the points within `distance` of the segment between `a` and `b`, ascending.
+    /// Returns the chosen points within `distance` of the segment between `a` and `b`, ascending.
     std::vector<std::uint32_t> near_segment(const Point& a, const Point& b, double distance) const;
     std::vector<std::uint32_t> near_point(const Point& place, double distance) const {
         return near_segment(place, place, distance);
     }
 
   private:
-    /// Calls visit(key) for each cell that a box meets.
+    /// Calls visit(key) for each cell that the box from `low` to `high` meets.
     template <class Visit>
     void for_each_cell(const Point& low, const Point& high, Visit visit) const;
     std::int64_t row(double coordinate, int axis) const;
 
-    /// Points of the cells near a segment, in any order.
+    /// Returns points, in any order and perhaps repeated, among which are all chosen points within `distance`
+    /// of the segment.
     std::vector<std::uint32_t> candidates(const Point& a, const Point& b, double distance) const;
 
     const std::vector<Point>& points;
@@ -38,7 +39,8 @@ class PointGrid {
     std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> found;  ///< points of each cell
 };
 
-/// The place of a point along the segment from `a` to `b`, from 0 to 1, and its distance from the segment.
+/// Place on a segment that is nearest to a point: `share`, its fraction of the segment from the start, and
+/// `distance`, its distance from the point.
 struct PlaceOnSegment {
     double share, distance;
 };

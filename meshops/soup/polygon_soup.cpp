@@ -46,7 +46,7 @@ struct PolygonBorder {
     double mean_side = 0;
 };
 
-/// The points of sides that only one polygon has.
+/// Returns the points, and the mean length, of the sides that only one polygon has.
 PolygonBorder border_of(const PolygonSoup& soup) {
     std::vector<std::array<std::size_t, 2>> sides;
     for (const auto& polygon : soup.polygons)
@@ -87,7 +87,7 @@ void check_polygon_soup(const PolygonSoup& soup) {
     for (std::size_t i = 0; i < soup.polygons.size(); ++i) {
         for (const std::size_t corner : soup.polygons[i]) {
             if (corner >= soup.points.size()) {
-                // The file holds signed numbers, so -1 is shown as -1.
+                // Files have signed numbers, so that the message shows -1 as -1.
                 throw Error(place_of_polygon(soup, i) + ": index out of range: there is no vertex " +
                             std::to_string(static_cast<std::ptrdiff_t>(corner)) + ", the file has " +
                             std::to_string(soup.points.size()) + " (numbered from 0)");

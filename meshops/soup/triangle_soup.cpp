@@ -9,7 +9,7 @@
 namespace sherd {
 namespace {
 
-/// A neighbour across an edge of two triangles.
+/// A neighbour of a triangle across an edge of two triangles, and whether both have the same orientation.
 struct Neighbour {
     std::size_t triangle;
     bool agrees;

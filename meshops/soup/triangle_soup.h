@@ -13,8 +13,8 @@
 
 namespace sherd {
 
-/// Triangles of a file before they become a Mesh. Each has three points; nothing else is guaranteed: any
-/// number of triangles may meet at an edge, in any orientation.
+/// Triangles of a file before they become a Mesh. Each triangle has three points; nothing else is guaranteed:
+/// any number of triangles may meet at an edge, in any orientation.
 struct TriangleSoup {
     std::vector<Point> points;
     std::vector<std::uint32_t> file_vertex;  ///< number of each point in the file
@@ -23,17 +23,17 @@ struct TriangleSoup {
     std::vector<std::size_t> polygon;  ///< polygon of the file that each triangle is part of
 };
 
-/// Cuts polygons into triangles; those of a polygon follow each other, and triangles stay as they are.
-/// Polygons of fewer than three corners have none. A polygon may run along a line twice, as to a hole and
-/// back. Throws Error if it crosses or touches itself otherwise. Triangles without texture coordinates get
-/// (0, 0) if others have some.
+/// Cuts polygons into triangles. The triangles of a polygon follow each other; a polygon of three corners
+/// becomes one triangle, and a polygon of fewer corners none. A polygon may run along a line twice, as to a
+/// hole and back. Throws Error if a polygon crosses or touches itself otherwise. Triangles without texture
+/// coordinates get (0, 0) if other triangles have some.
 TriangleSoup triangulate(const PolygonSoup& soup);
 
-/// Triangles whose area is zero up to round-off, with repeated or collinear corners, ascending.
+/// Returns the triangles whose area is zero up to round-off, with repeated or collinear corners, ascending.
 std::vector<std::size_t> zero_area_triangles(const TriangleSoup& soup);
-/// Triangles with the same three points as an earlier one, ascending.
+/// Returns the triangles that have the same three points as an earlier triangle, ascending.
 std::vector<std::size_t> repeated_triangles(const TriangleSoup& soup);
-/// The mean of points as "(0.1, 0.02, 0.03)", in the file's unit.
+/// Returns the mean position of points as text, "(0.1, 0.02, 0.03)", in the unit of the file.
 std::string middle_text(const TriangleSoup& soup, std::span<const std::uint32_t> points);
 void erase_triangles(TriangleSoup& soup, const std::vector<std::size_t>& ascending);
 
@@ -44,29 +44,31 @@ struct NonManifoldEdge {
 };
 std::vector<NonManifoldEdge> non_manifold_edges(const TriangleSoup& soup);
 
-/// Result of orient(), which flips triangles until neighbours agree. In each component the smaller part is
-/// flipped (of equal parts the one without the first triangle); the first corner of a triangle stays the
-/// first. The soup must be the result of separate_sheets().
+/// Result of orient(), which turns triangles over until neighbours have the same orientation. In each
+/// component, the triangles of the less frequent orientation are turned over (if both are equally frequent,
+/// those that differ from the first triangle); the first corner of a triangle stays the first. If a component
+/// is one-sided, no triangle is turned over. The soup must be the result of separate_sheets().
 struct Orientation {
-    std::vector<std::size_t> turned;       ///< flipped triangles, ascending
+    std::vector<std::size_t> turned;       ///< triangles to be turned over, ascending
     std::optional<std::size_t> one_sided;  ///< a triangle of a one-sided component (Moebius strip)
 };
 Orientation orient(TriangleSoup& soup);
-/// Turns a triangle over, about its first corner.
+/// Turns a triangle over; its first corner stays the first.
 void reverse_triangle(TriangleSoup& soup, std::size_t triangle);
 
 /// A side of a triangle of a soup, with its points in ascending order.
 struct SoupSide {
     std::uint32_t low, high;
     std::size_t triangle;
-    int corner;      ///< the corner where it starts
-    bool is_rising;  ///< whether it starts at `low`
+    int corner;      ///< number of the corner where the side starts
+    bool is_rising;  ///< whether the side starts at `low`
 
     auto edge() const { return std::tuple(low, high); }
     auto key() const { return std::tuple(low, high, triangle, corner); }
 };
 
-/// Calls visit(sides) for each edge, with its sides in the order of the triangles.
+/// Calls visit(sides) for each edge of a soup, with the sides of all triangles at the edge, in the order of
+/// the triangles.
 template <typename Visit>
 void for_each_soup_edge(const TriangleSoup& soup, Visit visit) {
     std::vector<SoupSide> sides;

@@ -20,8 +20,8 @@ using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel>;
 using PolygonDelaunay = CGAL::Constrained_Delaunay_triangulation_2<
     Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>, CGAL::Exact_predicates_tag>;
 
-/// The polygon, counterclockwise, projected along the coordinate axis nearest to its normal. In contrast to a
-/// rotation into a plane, dropping a coordinate keeps collinear corners exactly collinear.
+/// Returns the polygon, counterclockwise, projected along the coordinate axis nearest to its normal. In
+/// contrast to a rotation into a plane, dropping a coordinate keeps collinear corners exactly collinear.
 std::vector<Point2> flatten(const std::vector<Point>& polygon) {
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // by Newell's method
     const auto vector = [](const Point& p) { return Eigen::Vector3d(p.x(), p.y(), p.z()); };
@@ -39,8 +39,8 @@ std::vector<Point2> flatten(const std::vector<Point>& polygon) {
     return result;
 }
 
-/// The two triangles of a quadrilateral, split along the shorter diagonal that lies inside; empty if there is
-/// none.
+/// Returns the two triangles of a quadrilateral, divided along the shorter diagonal that lies inside; none if
+/// no diagonal does.
 std::vector<Corners> split_quadrilateral(const std::vector<Point>& polygon, const std::vector<Point2>& flat) {
     const auto is_inside = [&](std::size_t a) {
         const std::size_t b = (a + 1) % 4, c = a + 2, d = (a + 3) % 4;
@@ -54,10 +54,11 @@ std::vector<Corners> split_quadrilateral(const std::vector<Point>& polygon, cons
     return {};
 }
 
-/// How often a side of a polygon lies between two vertices of its triangulation.
+/// Number of sides of a polygon between each two vertices of its triangulation.
 using SideCounts = std::map<std::array<PolygonDelaunay::Vertex_handle, 2>, int>;
 
-/// Sides of a polygon that go back along others, as the bridges to holes do, bound nothing.
+/// Counts the sides of a polygon between vertices. Two sides between the same vertices, as along the bridge
+/// to a hole, bound nothing.
 SideCounts count_sides(const std::vector<PolygonDelaunay::Vertex_handle>& corner) {
     SideCounts counts;
     for (std::size_t i = 0; i < corner.size(); ++i) {
@@ -67,8 +68,8 @@ SideCounts count_sides(const std::vector<PolygonDelaunay::Vertex_handle>& corner
     return counts;
 }
 
-/// The triangulation's faces inside the polygon: those reached from outside across an odd number of its
-/// sides.
+/// Returns the faces of the triangulation that are inside the polygon: from outside they are reached across
+/// an odd number of sides of the polygon.
 std::vector<PolygonDelaunay::Face_handle> inner_faces(const PolygonDelaunay& triangulation,
                                                       const SideCounts& sides) {
     const auto bounds = [&](PolygonDelaunay::Face_handle face, int side) {
@@ -90,8 +91,9 @@ std::vector<PolygonDelaunay::Face_handle> inner_faces(const PolygonDelaunay& tri
     return order;
 }
 
-/// Constrained Delaunay triangles of a polygon of five or more corners, which may have holes that bridges
-/// lead to; empty if it crosses itself. Of corners at one place the first stands for all.
+/// Returns constrained Delaunay triangles of a polygon of five or more corners, which may have bridges to
+/// holes; none if the polygon crosses itself. The first of several corners at the same place stands for all
+/// of them.
 std::vector<Corners> triangulate_flat(const std::vector<Point2>& flat) {
     PolygonDelaunay triangulation;
     std::vector<PolygonDelaunay::Vertex_handle> corner;
@@ -101,13 +103,13 @@ std::vector<Corners> triangulate_flat(const std::vector<Point2>& flat) {
         if (triangulation.number_of_vertices() > before) corner.back()->info() = i;
     }
     if (triangulation.dimension() != 2) return {};
-    // A side along the axis that was dropped has no length here; CGAL takes no such constraint.
+    // A side parallel to the axis that was dropped has no length in the plane; CGAL takes no such constraint.
     for (std::size_t i = 0; i < corner.size(); ++i)
         if (corner[i] == corner[(i + 1) % corner.size()]) return {};
     for (std::size_t i = 0; i < corner.size(); ++i) {
         triangulation.insert_constraint(corner[i], corner[(i + 1) % corner.size()]);
     }
-    // A side that crosses another one, or passes through a corner, has a vertex there, and is no edge.
+    // A side that crosses another side, or passes through a corner, is divided there, and so is no edge.
     for (std::size_t i = 0; i < corner.size(); ++i)
         if (!triangulation.is_edge(corner[i], corner[(i + 1) % corner.size()])) return {};
     std::vector<Corners> result;
@@ -127,7 +129,7 @@ std::vector<Corners> fan(std::size_t corners) {
     return result;
 }
 
-/// The triangles of a polygon; empty if it crosses or touches itself.
+/// Returns the triangles of a polygon; none if it crosses or touches itself.
 std::vector<Corners> triangulate_simple(const std::vector<Point>& points) {
     if (points.size() <= 3) return fan(points.size());
     const auto is_on_line = [&](const Point& p) { return CGAL::collinear(points[0], points[1], p); };

@@ -7,8 +7,8 @@
 
 namespace sherd {
 
-/// The component number of each face. Faces are in one component when they are connected through edges.
-/// Components are numbered in the order of their first face.
+/// Number of the component of each face. Faces are in one component if they are connected through edges.
+/// Components are numbered in the order of their first faces.
 struct Components {
     std::vector<std::int32_t> of_face;
     std::int32_t count = 0;

@@ -44,8 +44,8 @@ double distance_to_segment(const Vector3d& point, const Vector3d& start, const V
     return (point - start - t * along).norm();
 }
 
-/// Halfedges of the cheapest path from `goal` back to `start`; the source of each is nearer to the start.
-/// Empty if there is no path. `cost` of an edge must be positive.
+/// Returns the halfedges of the cheapest path from `start` to `goal`, the last one first; none if there is no
+/// path. cost(edge) must be positive.
 template <class Cost>
 std::vector<Halfedge> cheapest_path_back(const Mesh& mesh, Vertex start, Vertex goal, const Cost& cost) {
     struct Arrival {

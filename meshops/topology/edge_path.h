@@ -9,12 +9,12 @@
 
 namespace sherd {
 
-/// Returns the edges of `mesh` along a polyline (m), each once, in order. The vertices nearest to its points
-/// are joined by shortest paths that keep close to the line, by Dijkstra's algorithm with the cost (h + d) l,
-/// where l is an edge's length, d the distance of its middle from the line, and h the mean edge length.
-/// Throws Error, naming points by their number from 0, if a point is farther from its nearest vertex than
-/// twice the longest edge there, if successive points lie on unconnected parts of the mesh, and if the line
-/// touches one vertex only.
+/// Returns the edges of `mesh` along the polyline `line` (m), each once, in order. The vertices nearest to
+/// the points of the line are joined by shortest paths that keep close to the line, by Dijkstra's algorithm.
+/// The cost of an edge is (h + d) l, where l is its length, d the distance of its middle from the line, and h
+/// the mean length of all edges. Throws Error, naming points by their number from 0, if a point is farther
+/// from its nearest vertex than twice the longest edge at this vertex, if successive points lie on
+/// unconnected parts of the mesh, and if the line touches one vertex only.
 std::vector<Edge> edge_path(const Mesh& mesh, std::span<const Eigen::Vector3d> line);
 
 }  // namespace sherd

@@ -12,7 +12,8 @@ namespace {
 using Parents = std::vector<WithParents<Vertex>::Parent>;
 using Shares = std::vector<WithParents<Face>::Parent>;
 
-/// Weights of a face's corners among the parents of a vertex; nullopt if the vertex has other parents, too.
+/// Returns the sum of the weights of each corner of a face among the parents of a vertex; nullopt if a parent
+/// is no corner of the face.
 std::optional<Eigen::Vector3d> corner_weights(const ReplacedFace& face, const Parents& parents) {
     Eigen::Vector3d weights = Eigen::Vector3d::Zero();
     for (const auto& [vertex, weight] : parents) {
@@ -23,7 +24,7 @@ std::optional<Eigen::Vector3d> corner_weights(const ReplacedFace& face, const Pa
     return weights;
 }
 
-/// A change of a mesh, for attributes of faces.
+/// Computes the attributes that faces inherit in a change of a mesh.
 class FaceInheritance {
   public:
     FaceInheritance(const Mesh& mesh, const std::map<Face, ReplacedFace>& old, const TopologyChange& change)
@@ -32,8 +33,9 @@ class FaceInheritance {
             for (const WithParents<Vertex>& vertex : *vertices) parents[vertex.element] = vertex.parents;
     }
 
-    /// Texture coordinates at the corners of a face. A corner that lies in none of the parents has the value
-    /// of the main parent at the corner of its number.
+    /// Returns the texture coordinates at the corners of a face whose parents are `shares`. If a corner lies
+    /// in none of the parents, it gets the value that the first parent, which has the largest share, has at
+    /// its corner of the same number.
     FaceTexture mean(const Mesh::Property_map<Face, FaceTexture>& texture, Face face,
                      const Shares& shares) const {
         FaceTexture result;
@@ -47,7 +49,8 @@ class FaceInheritance {
         return result;
     }
 
-    /// The mean of directions by area, with the length of the main parent's.
+    /// Returns the mean of the vectors of the parents by area, scaled to the length of the vector of the
+    /// first parent.
     Eigen::Vector3d mean(const Mesh::Property_map<Face, Eigen::Vector3d>& direction, Face,
                          const Shares& shares) const {
         Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -58,7 +61,8 @@ class FaceInheritance {
     }
 
   private:
-    /// Texture coordinates of a vertex: those in the largest share in which the vertex lies.
+    /// Returns the texture coordinates of a vertex with these parents in the first of `shares` in which the
+    /// vertex lies, or `otherwise` if it lies in none.
     Eigen::Vector2d texture_at(const Mesh::Property_map<Face, FaceTexture>& texture, const Shares& shares,
                                const Parents& parents, const Eigen::Vector2d& otherwise) const {
         for (const auto& [face, share] : shares) {
@@ -74,7 +78,7 @@ class FaceInheritance {
     std::map<Vertex, Parents> parents;  ///< parents of inserted and moved vertices
 };
 
-/// Sets values after all of them have been computed from those before the change.
+/// Sets the values `now`, all of which were computed from values before the change.
 template <class Element, class Value>
 void assign(Mesh::Property_map<Element, Value> values, const std::vector<std::pair<Element, Value>>& now) {
     for (const auto& [element, value] : now) values[element] = value;

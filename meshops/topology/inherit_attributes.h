@@ -5,12 +5,13 @@
 
 namespace sherd {
 
-/// Gives a copy of a vertex the attributes of the vertex.
+/// Gives `copy`, a copy of a vertex, the attributes of the vertex.
 void copy_attributes(Mesh& mesh, Vertex vertex, Vertex copy);
 
-/// Lets new and changed elements of `mesh` inherit the attributes of their parents, each by its rule
-/// (Inherits). Texture coordinates of a corner on a seam are those of its face's side.
-/// old: the faces in `change` as they were.
+/// Gives the elements of `mesh` that `change` has inserted or altered the attributes that they inherit from
+/// their parents, each by the rule of the attribute (Inherits). At a seam, a face inherits the texture
+/// coordinates of the side of the seam on which it lies. old: the replaced faces, by number, as they were
+/// before the change.
 void inherit_attributes(Mesh& mesh, const std::map<Face, ReplacedFace>& old, const TopologyChange& change);
 
 }  // namespace sherd

@@ -7,7 +7,7 @@
 namespace sherd {
 namespace {
 
-/// Texture coordinates of the face at h at both ends of h.
+/// Returns the texture coordinates that the face of h has at the source and at the target of h.
 std::array<Eigen::Vector2d, 2> texture_along(const Mesh& mesh, Halfedge h, const FaceTexture& texture) {
     const std::array<Vertex, 3> corners = face_corners(mesh, mesh.face(h));
     const auto at = [&](Vertex v) { return texture[corner_number(corners, v)]; };

@@ -5,8 +5,8 @@
 
 namespace sherd {
 
-/// Whether the two faces of an interior edge differ in their groups, materials, or texture coordinates at it.
-/// Returns false for edges of the boundary.
+/// Whether the two faces of an interior edge, given by a halfedge, have different groups, materials, or
+/// texture coordinates at the edge. Returns false for edges of the boundary.
 bool is_property_border(const Mesh& mesh, Halfedge h);
 
 }  // namespace sherd

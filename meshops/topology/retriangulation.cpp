@@ -23,15 +23,15 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// The faces around a vertex, laid into a plane: the vertex is the origin, sides have their lengths, and the
-/// angles are scaled so that they close: by 2 pi over their sum, on the boundary by pi.
+/// The faces around a vertex, unfolded into a plane. The vertex is the origin, the edges at the vertex have
+/// their lengths, and the angles at the vertex are scaled so that their sum is 2 pi, or pi on the boundary.
 struct UnfoldedFan {
     std::vector<Face> faces;       ///< counterclockwise
     std::vector<Vertex> ring;      ///< faces[i] has the corners vertex, ring[i], ring[i + 1]
-    std::vector<Vector2d> places;  ///< m, places of the ring's vertices
+    std::vector<Vector2d> places;  ///< m, places of the ring's vertices in the plane
 };
 
-/// The halfedge out of a vertex from which all faces at it follow counterclockwise.
+/// Returns the halfedge from the vertex at which all faces at the vertex begin, counterclockwise.
 Halfedge first_outward(const Mesh& mesh, Vertex vertex) {
     for (const Halfedge in : mesh.halfedges_around_target(mesh.halfedge(vertex)))
         if (mesh.is_border(in)) return mesh.opposite(in);
@@ -67,8 +67,9 @@ UnfoldedFan unfold_fan(const Mesh& mesh, Vertex vertex) {
     return fan;
 }
 
-/// The places of source, target and the two opposite corners of the faces at h, unfolded about it: the source
-/// is the origin, the target on the x axis, the face of h above it, the opposite one below.
+/// Unfolds the faces at h into a plane. Returns the places (m) of the source of h, which is the origin; of
+/// its target, on the x axis; of the third corner of the face at h, above the axis; and of the third corner
+/// of the opposite face, below the axis.
 std::array<Vector2d, 4> unfold_pair(const Mesh& mesh, Halfedge h) {
     const Vector3d source = position(mesh, mesh.source(h));
     const Vector3d side = position(mesh, mesh.target(h)) - source;
@@ -83,7 +84,7 @@ std::array<Vector2d, 4> unfold_pair(const Mesh& mesh, Halfedge h) {
 
 using PlaneTriangle = std::array<Vector2d, 3>;  ///< counterclockwise
 
-/// The part of a convex polygon to the left of the line from a to b.
+/// Returns the part of a convex polygon to the left of the line from a to b.
 std::vector<Vector2d> left_part(const std::vector<Vector2d>& polygon, const Vector2d& a, const Vector2d& b) {
     std::vector<Vector2d> part;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -96,7 +97,7 @@ std::vector<Vector2d> left_part(const std::vector<Vector2d>& polygon, const Vect
     return part;
 }
 
-/// Area that two triangles have in common.
+/// Returns the area that two triangles have in common.
 double common_area(const PlaneTriangle& a, const PlaneTriangle& b) {
     std::vector<Vector2d> part(a.begin(), a.end());
     for (int i = 0; i < 3 && !part.empty(); ++i) part = left_part(part, b[i], b[(i + 1) % 3]);
@@ -105,9 +106,9 @@ double common_area(const PlaneTriangle& a, const PlaneTriangle& b) {
     return std::max(doubled, 0.0) / 2;
 }
 
-/// Fraction of each old triangle that each new one covers, where both cover the same polygon: [new, old],
-/// the sum of each column is 1. Where round-off or curvature makes the two polygons differ, the fractions are
-/// scaled to that sum.
+/// Returns the fraction of each old triangle that each new triangle covers: [new, old]. Old and new triangles
+/// cover the same polygon, so that the sum of each column is 1. If round-off or curvature makes the polygons
+/// differ, the fractions are scaled to this sum.
 Eigen::MatrixXd covered_fractions(std::span<const PlaneTriangle> now, std::span<const PlaneTriangle> old) {
     constexpr double round_off = 1e-15;
     Eigen::MatrixXd fractions(now.size(), old.size());
@@ -128,7 +129,7 @@ bool has_corner(const Mesh& mesh, Face face, Vertex vertex) {
     return corner_number(face_corners(mesh, face), vertex) < 3;
 }
 
-/// The faces of a fan as triangles, with its centre at `centre`.
+/// Returns the faces of a fan as triangles in its plane, after its vertex has been moved to `centre`.
 std::vector<PlaneTriangle> triangles_of(const UnfoldedFan& fan, const Vector2d& centre) {
     std::vector<PlaneTriangle> triangles;
     for (std::size_t i = 0; i < fan.faces.size(); ++i)
@@ -136,7 +137,8 @@ std::vector<PlaneTriangle> triangles_of(const UnfoldedFan& fan, const Vector2d& 
     return triangles;
 }
 
-/// Position, in the plane of an unfolded fan, of a point near the fan's faces.
+/// Returns the place, in the plane of the fan around the vertex `centre`, of the point of its faces that is
+/// nearest to `point` (m).
 Vector2d place_in(const UnfoldedFan& fan, const Mesh& mesh, Vertex centre, const Vector3d& point) {
     double least = std::numeric_limits<double>::infinity();
     Vector2d place = Vector2d::Zero();

@@ -11,17 +11,17 @@ namespace {
 /// The faces around a vertex between two successive cut or boundary edges.
 struct Sector {
     Face first;   ///< the face after the edge where the sector begins
-    Face lowest;  ///< identifies the sector, independently of the order of traversal
+    Face lowest;  ///< face of the lowest number, which does not depend on where the traversal begins
 };
 
-/// The halfedge of the face that points to the vertex.
+/// Returns the halfedge of the face that points to the vertex.
 Halfedge corner(const Mesh& mesh, Face face, Vertex vertex) {
     Halfedge h = mesh.halfedge(face);
     while (mesh.target(h) != vertex) h = mesh.next(h);
     return h;
 }
 
-/// The next halfedge around a vertex: from one that points to it to the one in the next face.
+/// Returns the halfedge that points to the target of h in the next face around this vertex.
 Halfedge turn(const Mesh& mesh, Halfedge h) {
     return mesh.opposite(mesh.next(h));
 }
@@ -45,8 +45,9 @@ std::vector<Sector> sectors(const Mesh& mesh, Vertex vertex, const std::function
     return found;
 }
 
-/// Gives the face on the second side of an edge a new edge, and makes the outer sides of both edges borders.
-/// join_borders() links the borders' neighbours.
+/// Separates the two faces of an edge: gives the second face a new edge, and makes the halfedges of both
+/// edges that are without a face now borders. join_borders() links these with their neighbours. Returns the
+/// new edge.
 Edge detach(Mesh& mesh, Edge edge) {
     const Halfedge kept = mesh.halfedge(edge, 0), left = mesh.halfedge(edge, 1);
     const Halfedge created = mesh.add_edge();
@@ -62,7 +63,8 @@ Edge detach(Mesh& mesh, Edge edge) {
     return mesh.edge(created);
 }
 
-/// Assigns `vertex` to all corners of a sector, whose two outer edges are borders, and links these borders.
+/// Assigns `vertex` to the corners at the vertex `old` of all faces of a sector, whose two outer edges have
+/// borders, and links these borders. Adds the faces to `faces`.
 void join_borders(Mesh& mesh, const Sector& sector, Vertex old, Vertex vertex, std::vector<Face>& faces) {
     Halfedge h = corner(mesh, sector.first, old);
     const Halfedge out = mesh.opposite(h);
@@ -85,7 +87,7 @@ Vertex copy_vertex(Mesh& mesh, Vertex vertex) {
     return copy;
 }
 
-/// Adds the cut edges around a vertex that is split.
+/// Adds to `edges` the cut edges around a vertex that is split.
 void add_opened_edges(const Mesh& mesh, Vertex vertex, const std::function<bool(Edge)>& is_cut,
                       std::vector<Edge>& edges) {
     for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(vertex)))

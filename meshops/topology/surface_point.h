@@ -14,13 +14,13 @@ struct SurfacePoint {
     Eigen::Vector3d weights;        ///< barycentric: not negative, their sum is 1
 };
 
-/// Place of the point in space, m.
+/// Returns the position of the point in space, m.
 Eigen::Vector3d position(const Mesh& mesh, const SurfacePoint& point);
 
-/// Barycentric weights of the point of a triangle that is nearest to `point` (m).
+/// Returns the barycentric weights of the point of a triangle that is nearest to `point` (m).
 Eigen::Vector3d nearest_weights(const std::array<Eigen::Vector3d, 3>& triangle, const Eigen::Vector3d& point);
 
-/// The point of `face` that is nearest to `point` (m).
+/// Returns the point of `face` that is nearest to `point` (m).
 SurfacePoint nearest_point(const Mesh& mesh, Face face, const Eigen::Vector3d& point);
 
 }  // namespace sherd

@@ -33,16 +33,16 @@ WithParents<Element> copy_of(Element parent, Element created) {
 /// A change of a mesh. Nothing is renumbered; new elements are appended in the order given here. Parents are
 /// elements before the change, with the data that they had then.
 struct TopologyChange {
-    /// A new edge that coincides with an old one, since the faces on its two sides have been separated:
-    /// `edge` stays with one of them, `created` belongs to the other.
+    /// Two edges at the same place that replace an old edge whose two faces have been separated: `edge` is
+    /// the old edge, which one of the faces keeps, and `created` the new edge of the other face.
     struct OpenedEdge {
         Edge edge, created;
     };
-    /// A face, old or inserted, whose part of the sheet has changed.
+    /// A face, old or inserted, that now covers another part of the sheet, and its parents.
     struct Reshaped {
         Face face;
-        /// Old faces, each with the fraction of its area that has passed on to `face`, the largest fraction
-        /// first. The fractions of an old face in all reshaped faces sum to 1.
+        /// Parents: old faces, each with the fraction of its area that has passed on to `face`, the largest
+        /// fraction first. The fractions of an old face in all reshaped faces sum to 1.
         std::vector<WithParents<Face>::Parent> shares;
     };
     std::vector<WithParents<Vertex>> vertices;
@@ -50,7 +50,7 @@ struct TopologyChange {
     std::vector<WithParents<Face>> faces;
     std::vector<OpenedEdge> opened;  ///< each `created` is one of `edges`
     std::vector<Face> changed;       ///< old faces with a new corner, side or shape; ascending, each once
-    /// Old vertices at a new place of the sheet; ascending, each once.
+    /// Old vertices that have been moved on the sheet; ascending, each once.
     std::vector<WithParents<Vertex>> moved;
     std::vector<Edge> flipped;       ///< old edges that now join other vertices; ascending, each once
     std::vector<Reshaped> reshaped;  ///< ascending, each once

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """scene_reference.py SHERD PAGE
 
-Compares the reference of the keys of scenes (`sherd scenes --keys`) with the reader of scenes: every key that the reader
-knows is in the reference and the other way round, and defaults that are a plain number, `true`, `false` or an array are
-those that the reader reports when the key has a wrong type. Each table of the reference is shown by one command in PAGE,
-docs/scene.md."""
+Compares the reference of the keys of scenes (`sherd scenes --keys`) with the reader of scenes: both must have the same
+keys, and defaults that are a plain number, `true`, `false` or an array must be those that the reader reports when the
+key has a wrong type. Each table of the reference must be shown by one command in PAGE, docs/scene.md."""
 
 import collections
 import pathlib
@@ -118,7 +117,7 @@ def check_defaults(sherd, values):
 
 
 def check_page(sherd, page, reference):
-    """Holds the commands of a page against the reference. Tables that are alike but for their place are shown once."""
+    """Compares the commands of a page with the reference. Tables that differ only in their place must be shown once."""
     shown = [table for place in re.findall(r"^```scene-keys\nsherd scenes --keys (\S+)\n```$", page, re.MULTILINE)
              for table in tables(sherd, place)]
     twice = [table for table, count in collections.Counter(shown).items() if count > 1]

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """scene_schema.py SHERD SCENES
 
-Holds the JSON Schema of scenes (`sherd scenes --schema`) against the program: all scenes that come with it (SCENES) are
-valid, and what is wrong with others by their form alone is told by both. An editor of TOML would complete keys that are
-none, or underline what is right, if this failed."""
+Compares the JSON Schema of scenes (`sherd scenes --schema`) with the program: all scenes that come with the program
+(SCENES) must be valid, and both must refuse scenes with a wrong form. If this failed, an editor of TOML would complete
+keys that do not exist, or underline keys and values that are right."""
 
 import json
 import pathlib

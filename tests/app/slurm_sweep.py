@@ -193,7 +193,7 @@ def try_sweep(sherd, folder, cluster):
     subprocess.run(["scancel", running[0]], check=True)
     cancelled = time.time()
     wait_until(lambda: running[0] not in (queue() or running), "the task is cancelled")
-    # Otherwise the next controller would restart the task.
+    # A controller that started without this state would restart the task.
     wait_until(lambda: cluster.saved_at() > cancelled, "the controller has saved its state")
     cluster.kill_controller()
     assert "rows         12:" in sweep("--status"), "the rows are told without a controller, too"

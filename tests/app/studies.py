@@ -85,7 +85,7 @@ class Studies(unittest.TestCase):
         return self.run_program("/usr/bin/python3", str(STUDIES / script), str(table), *names)
 
     def test_the_height_and_the_power_of_tables_that_are_made_are_found(self):
-        # Symmetric about the height at which half break: at 1/f of it as many break as do not break at f times it.
+        # Symmetric about the height h at which half of the rows break: as many break at h / f as do not at f h.
         rows = [(h, int(i < share), 0) for h, share in ((0.125, 1), (0.25, 5), (1, 15), (2, 19)) for i in range(20)]
         self.assertIn("half of 80 break from 0.500 m", self.fitted("half_height.py", "height,broken,exit", rows))
         rows = [(x, 3 * x**0.5, 0) for x in (1, 4, 9, 16)] + [(25, 0, 0), (36, "", 0), (49, 1, 1)]

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// contact_benchmark [RUN.h5]: cost of contact in one step of a sheet that touches itself all over. A
-// benchmark's name has the numbers of faces and threads. Time is wall time. Without a recording the sheet is
-// rolled up: the longer, the more turns the roll has; its edges are two thicknesses long. With one it is as
-// in the last frame, and with each triangle of that divided into four, and into sixteen: all of the same
-// shape.
+// contact_benchmark [RUN.h5]: cost of contact in one step of a sheet that touches itself all over. The name
+// of a benchmark has the number of faces, its argument is the number of threads. Time is wall time. Without a
+// recording the sheet is a roll with edges two thicknesses long; more faces give it more turns. With a
+// recording, the sheet has the shape of its last frame, at three resolutions: as recorded, and with each
+// triangle divided into four and into sixteen.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -21,9 +21,10 @@ namespace {
 using namespace sherd;
 
 constexpr double thickness = 1e-3, edge = 2e-3, pitch = 0.97 * thickness, inner_radius = 0.005;
-constexpr Index across = 8;  // squares
+constexpr Index across = 8;  // number of squares across the roll
 
-/// Point on the spiral r = inner_radius + pitch angle / (2 pi), with angles a chord apart.
+/// Returns the point at `angle` on the spiral r = inner_radius + pitch angle / (2 pi), and advances `angle`
+/// by about the length `edge`.
 Vector3d next_on_spiral(double& angle) {
     const double growth = pitch / (2 * std::numbers::pi), radius = inner_radius + growth * angle;
     Vector3d at(radius * std::cos(angle), radius * std::sin(angle), 0);
@@ -52,7 +53,7 @@ Shell roll(std::int64_t faces) {
                             std::vector<Index>(count, 0));
 }
 
-/// Same shape with each triangle divided into four at the midpoints of its sides.
+/// Sheet of the same shape with each triangle divided into four at the midpoints of its sides.
 Shell in_four(const Shell& sheet) {
     std::map<std::array<Index, 2>, Index> middle;
     std::vector<std::array<Index, 3>> triangles;
@@ -85,7 +86,7 @@ Shell in_four(const Shell& sheet) {
     return test::bare_sheet(rest, position, triangles, thick, body);
 }
 
-/// Motion of each vertex by up to a fiftieth of the thickness.
+/// Motion by which each coordinate changes by up to a fiftieth of the thickness.
 Positions shaking(const Shell& sheet) {
     Positions motion(3, sheet.position.cols());
     Index i = 0;
@@ -119,7 +120,7 @@ void report(benchmark::State& state, const Shell& sheet, const SheetContact& con
     state.counters["touching"] = static_cast<double>(contact.active_pairs(sheet.position).size());
 }
 
-/// Step for which all pairs have to be found.
+/// Measures a step whose contact must find all pairs.
 void from_nothing(benchmark::State& state, const Shell& sheet) {
     const Positions motion = shaking(sheet);
     const SheetContact contact = contact_of(sheet, state);
@@ -131,7 +132,7 @@ void from_nothing(benchmark::State& state, const Shell& sheet) {
     report(state, sheet, contact);
 }
 
-/// Later step, with motion back and forth.
+/// Measures a later step, whose contact already knows the pairs; the sheet moves back and forth.
 void of_known_pairs(benchmark::State& state, const Shell& sheet) {
     const Positions motion = shaking(sheet);
     const SheetContact contact = contact_of(sheet, state);

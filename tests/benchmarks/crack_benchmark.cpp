@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cost of opening a mesh. Argument: faces. `items_per_second` counts failed edges.
+// Cost of opening a mesh. Argument: number of faces. `items_per_second` counts failed edges.
 #include <benchmark/benchmark.h>
 
 #include <array>

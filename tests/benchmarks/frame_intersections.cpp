@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // frame_intersections RUN.h5...: prints a row of a table for each recording, with the numbers of
-// intersections in all its frames. Faces that intersect or touch in a point in the first frame, and their
-// neighbours, may continue to do so.
+// intersections in all its frames. Pairs of faces that intersect or touch in a point in the first frame, and
+// pairs of their neighbours, are not counted, since they may continue to intersect.
 #include "tests/support/recording/frame_intersections.h"
 
 #include <fmt/format.h>
@@ -18,8 +18,8 @@
 namespace sherd {
 namespace {
 
-/// Pairs of vertices of faces that intersect in the first frame, by their numbers at rest, and of vertices
-/// that coincide in it: contact keeps no distance between those.
+/// Pairs of vertices between which contact keeps no distance: vertices of two faces that intersect in the
+/// first frame, and vertices that coincide in it. They have the numbers of their originals at rest.
 class CrossingStart {
   public:
     explicit CrossingStart(const Snapshot& first) {
@@ -81,7 +81,7 @@ void print_row(const std::filesystem::path& file) {
 }  // namespace
 }  // namespace sherd
 
-// NOLINTNEXTLINE(bugprone-exception-escape): an exception may end it.
+// NOLINTNEXTLINE(bugprone-exception-escape): an exception may end the program.
 int main(int argc, char** argv) {
     for (int i = 1; i < argc; ++i) sherd::print_row(argv[i]);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cost of evaluating a crack tip in a plate of 8,000 faces. Argument: rings.
+// Cost of evaluating a crack tip in a plate of 8,000 faces. First argument: number of rings around the tip.
+// Second argument: whether the tip force includes bending.
 #include <benchmark/benchmark.h>
 
 #include "core/tips/configurational_force.h"
@@ -11,7 +12,7 @@ namespace {
 
 using namespace sherd;
 
-/// Square plate, open from one side to its centre, and its tip.
+/// Square plate that is cut from one side to its centre, and the tip of this crack.
 struct TornPlate {
     TornPlate() : shell(torn()), around(shell), bending(shell, {}), x(shell.rest) {
         Index centre = 0;

@@ -30,7 +30,7 @@ Eigen::MatrixXd random_element(test::Random& random, std::size_t count) {
 // A block in the wrong place, or one that a support does not remove, makes a wrong Hessian.
 TEST(BlockMatrix, AddsAllBlocksOfAnElementLikeOneByOne) {
     const std::vector<Index> element{0, 2, 3, 5, 6, 8, 9, 11};
-    std::vector<std::pair<Index, Index>> pairs{{1, 4}, {7, 2}, {10, 0}, {4, 5}};  // others in between
+    std::vector<std::pair<Index, Index>> pairs{{1, 4}, {7, 2}, {10, 0}, {4, 5}};  // pairs of other vertices
     for (const Index a : element)
         for (const Index b : element) pairs.emplace_back(a, b);
     BlockMatrix at_once = restricted_matrix(pairs), one_by_one = at_once;
@@ -41,7 +41,7 @@ TEST(BlockMatrix, AddsAllBlocksOfAnElementLikeOneByOne) {
     };
     BlockMatrix::Columns(at_once).add_all(element, block);
     for (std::size_t a = 0; a < element.size(); ++a)
-        for (std::size_t b = 0; b <= a; ++b)  // from below and from above the diagonal
+        for (std::size_t b = 0; b <= a; ++b)  // blocks below and above the diagonal in turn
             one_by_one.add(element[(a + b) % 2 ? b : a], element[(a + b) % 2 ? a : b],
                            (a + b) % 2 ? block(b, a) : block(a, b));
     EXPECT_EQ(test::dense(at_once), test::dense(one_by_one));
@@ -73,7 +73,8 @@ TEST(BlockMatrix, HasEachPairOnceInWhateverOrderItIsNamed) {
         EXPECT_FALSE(matrix.has(i, j)) << i << ' ' << j;
 }
 
-/// Matrix with all pairs of neighbours in a row of vertices, and random values.
+/// Random matrix with a block for each pair of vertices whose numbers differ by at most 2; if `some` is not
+/// empty, its part for the vertices `some`.
 BlockMatrix row_of_vertices(std::span<const Index> some = {}) {
     std::vector<std::pair<Index, Index>> pairs;
     for (Index v = 0; v < vertices; ++v)
@@ -100,7 +101,7 @@ Eigen::MatrixXd rows_and_columns(const Eigen::MatrixXd& whole, std::span<const I
     return whole(scalar, scalar);
 }
 
-// Otherwise the equations of a patch would be those of other vertices.
+// With other rows or columns, the equations of a patch would be those of other vertices.
 TEST(BlockMatrix, APartHasItsRowsAndColumnsOfTheWhole) {
     const std::vector<Index> some{1, 2, 3, 5, 6, 9};
     const Eigen::MatrixXd whole = test::dense(row_of_vertices());
@@ -128,8 +129,8 @@ TEST(BlockMatrix, AddsAllToAPartAndToADiagonal) {
     for (Index v = 0; v < 3; ++v) EXPECT_EQ(diagonal.diagonal_block(v), block(v, v));
 }
 
-// Contacts between vertices beside a patch have no block in it: added to other blocks they would change the
-// stiffness there, which two threads write at a time.
+// A contact may join two vertices of a patch between which the matrix has no block: if its stiffness were
+// added to another block, it would be at the wrong place, which another thread may be writing.
 TEST(BlockMatrix, APartIgnoresBlocksThatItDoesNotHave) {
     const std::vector<Index> some{1, 2, 3, 5};
     BlockMatrix part = BlockMatrix::part(some, 6, {{1, 2}, {2, 5}, {3, 5}}, std::vector<char>(6, 0), {}, {});
@@ -163,7 +164,8 @@ BlockMatrix full_part(const std::vector<Index>& some) {
     return BlockMatrix::part(some, vertices, all_pairs(), one_fixed(), {}, {});
 }
 
-// Otherwise faces would have the bending stiffness of others, or none near a support.
+// If add_square() wrote to other blocks than add_all(), faces would have the bending stiffness of other
+// faces, or none near a support.
 TEST(BlockMatrix, AddsTheSquareOfRowsLikeItsBlocks) {
     const std::vector<Index> element{0, 2, 3, 5, 6, 8, 9};
     test::Random random(10);
@@ -183,7 +185,8 @@ TEST(BlockMatrix, AddsTheSquareOfRowsLikeItsBlocks) {
     }
 }
 
-/// Sum of 5,000 elements of three neighbouring vertices each, one in seven of which is zero.
+/// Sum of 5,000 elements of three neighbouring vertices each; every seventh element is zero. some: the
+/// vertices of a part; empty: all vertices.
 BlockMatrix shared_sum(int threads, std::span<const Index> some = {}) {
     constexpr Index count = 200;
     std::vector<std::pair<Index, Index>> pairs;

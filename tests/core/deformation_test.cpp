@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Between the samples of a cache an obstacle must be where an animator expects it, without jumps.
+// Between the samples of a point cache an obstacle must be where an animator expects it, without jumps.
 #include "core/deformation.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 namespace sherd {
 namespace {
 
-/// Deformation of one point on the z axis, m, at uneven times.
+/// Deformation of one point that moves along the z axis: it is at the heights `z`, m, at `times`, s.
 Deformation heights(std::vector<double> times, const std::vector<float>& z, bool smooth) {
     Deformation deformation{std::move(times), {}, smooth};
     for (const float height : z) deformation.samples.push_back(Eigen::Vector3f(0, 0, height));

@@ -4,7 +4,7 @@
 namespace sherd {
 namespace {
 
-/// Two triangles with data on all their elements, all of them different.
+/// Two triangles with values for all vertices, edges and faces, which mostly differ from element to element.
 Shell marked_sheet() {
     Shell shell = test::two_triangles(Material{});
     const Index vertices = static_cast<Index>(shell.mass.size());
@@ -73,7 +73,8 @@ TEST(ShellChange, AVertexBetweenOthersHasTheirMean) {
     EXPECT_EQ(shell.kept[4], 0) << "it is a vertex of its own";
 }
 
-// An edge across faces that the edges around cannot bear would break first, or never.
+// A new edge across old faces must be as strong as the edges around it: otherwise it would break first, or
+// never.
 TEST(ShellChange, AnEdgeAcrossFacesHasTheMeanFactorOfTheFiniteOnesAroundIt) {
     Shell shell = marked_sheet();
     ShellChange change{.edges = {{5, {{1, 1}}}, {6, {}}, {7, {}}}};
@@ -104,7 +105,8 @@ TEST(ShellChange, ListsOfFacesGetTheFacesInsertedInTheirs) {
     EXPECT_EQ(faces, (std::vector<Index>{1, 4, 7, 9}));
 }
 
-// Energies keep a list for each hinge, from which the shell's removed hinges must vanish in the same places.
+// Energies keep lists with an entry for each hinge: when a hinge is removed, its entry must be removed at
+// the same place as in the shell's list.
 TEST(ShellChange, ListsOfHingesFollowTheHingesThatAreRemoved) {
     Shell shell = test::tetrahedron(Material{});
     const auto count = static_cast<Index>(shell.hinges.size());

@@ -8,8 +8,8 @@
 namespace sherd {
 namespace {
 
-// An element that is lost, or taken twice or out of order, is a missing force, or a sum that differs between
-// machines.
+// An element that is lost or taken twice is a wrong force; an element out of order makes a sum that differs
+// between machines.
 TEST(Threads, LotsAreTakenOnceAndInOrder) {
     for (const int count : {1, 2, 4})
         for (const std::size_t size : {0U, 1U, 2047U, 2048U, 5000U}) {

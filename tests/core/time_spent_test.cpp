@@ -33,7 +33,7 @@ double sum(const TimeSpent& spent) {
     return sum;
 }
 
-/// Two plates, the upper one on its way to the lower one, two steps before they meet.
+/// Lets two plates fall onto each other for five steps. result: time spent by task; wall: s, elapsed time.
 void let_plates_fall(bool sheet_contact, TimeSpent& result, double& wall) {
     Shell shell = test::stacked_plates(2, 4, 1.2 * test::ceramic.thickness, test::ceramic);
     shell.velocity.rightCols(shell.velocity.cols() / 2).row(2).setConstant(-2);
@@ -51,7 +51,7 @@ void let_plates_fall(bool sheet_contact, TimeSpent& result, double& wall) {
     result = time_step.time_spent();
 }
 
-// The search for pairs happens inside other tasks: it must be counted neither twice nor not at all.
+// The search for pairs happens inside other tasks: its time must be counted once, and not for these tasks.
 TEST(TimeSpent, EachMomentCountsForTheInnermostTask) {
     const Clock::time_point start = Clock::now();
     TimeSpent spent;
@@ -74,7 +74,7 @@ TEST(TimeSpent, EachMomentCountsForTheInnermostTask) {
     EXPECT_EQ(spent.times(Task::factorization), 0);
 }
 
-// Otherwise the table at the end of a run would show too much time, or leave out the largest cost.
+// With wrong parts, the table at the end of a run would show too much time, or leave out the largest cost.
 TEST(TimeSpent, PartsOfAStepAreNoMoreThanTheWhole) {
     TimeSpent spent;
     double wall = 0;
@@ -86,7 +86,7 @@ TEST(TimeSpent, PartsOfAStepAreNoMoreThanTheWhole) {
     EXPECT_EQ(spent.on(Task::breaking), 0);
 }
 
-// Otherwise contact would be charged for the time of others.
+// Time of other tasks must not be charged to contact.
 TEST(TimeSpent, NothingGoesIntoContactWhereThereIsNone) {
     TimeSpent spent;
     double wall = 0;

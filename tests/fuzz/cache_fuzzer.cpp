@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each input is read as either kind of point cache, of two points.
+// Each input is read as both kinds of point cache, PC2 and MDD, for a mesh of two points.
 #include "app/files/point_cache.h"
 #include "tests/fuzz/read_input.h"
 

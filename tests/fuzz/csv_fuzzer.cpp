@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rows that are read, written and read again must be equal.
+// Rows that are read from an input must be the same after they are written and read again.
 #include <cstdlib>
 
 #include "app/sweep/table/csv.h"

@@ -5,7 +5,7 @@
 
 namespace {
 
-/// Four triangles around the vertex 4.
+/// Square of four triangles around vertex 4, its centre.
 sherd::Mesh square() {
     std::vector<std::string> warnings;
     return sherd::read_mesh(

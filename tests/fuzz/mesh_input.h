@@ -9,7 +9,7 @@
 
 namespace sherd::test {
 
-/// Reads the mesh `file` with the least and with all repair; a result must be a valid mesh.
+/// Reads the mesh `file` with the least repair and with all repair; a mesh that is read must be valid.
 inline void fuzz_mesh(const std::filesystem::path& file) {
     for (const bool mends : {false, true})
         read_or_refuse([&] {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The text after the first zero byte is the file of materials, a.mtl.
+// Each input is two files: the text before the first zero byte is the mesh, and the text after it is the file
+// of materials, a.mtl.
 #include "tests/fuzz/mesh_input.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

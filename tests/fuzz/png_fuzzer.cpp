@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each input is read unchanged, and with correct checksums of its blocks: otherwise most would be refused by
-// these.
+// Each input is read twice: unchanged, and with correct checksums of its blocks, since the reader refuses
+// most inputs for wrong checksums.
 #include <zlib.h>
 
 #include "app/files/picture/image.h"
@@ -8,15 +8,15 @@
 
 namespace {
 
-/// Big-endian number at a place of the file.
+/// Big-endian number of four bytes at a place of the file.
 std::uint32_t number_at(const std::string& png, std::size_t at) {
     std::uint32_t number = 0;
     for (std::size_t i = 0; i < 4; ++i) number = number << 8 | static_cast<std::uint8_t>(png[at + i]);
     return number;
 }
 
-/// Corrects the checksums. A block is the length of its content, a word of four letters, the content, and the
-/// checksum of these two.
+/// Corrects the checksums. A block is the length of its content, a word of four letters, the content, and a
+/// checksum of the word and the content.
 std::string with_checksums(std::string png) {
     for (std::size_t at = 8; at + 12 <= png.size();) {
         const std::size_t length = number_at(png, at), end = at + 8 + length;

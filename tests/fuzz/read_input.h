@@ -15,7 +15,7 @@ inline const TemporaryDirectory& fuzz_folder() {
     return folder;
 }
 
-/// Reads, and accepts Error as the only kind of failure: any other exception is a finding.
+/// Calls `read`. Error is the only exception that it may throw: any other one is a finding.
 template <class Read>
 void read_or_refuse(const Read& read) {
     try {

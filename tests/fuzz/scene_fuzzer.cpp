@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The first line may be a comment that names a variant: "#small".
+// Each input is read as a scene. If its first line is a comment, such as "#small", the scene is also read
+// with the variant of this name.
 #include "app/scene/read/scene.h"
 #include "tests/fuzz/read_input.h"
 

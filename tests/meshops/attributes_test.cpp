@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every attribute of the table follows changes of a mesh and is stored: a user who paints a mesh would lose
-// one that does not.
+// Every attribute of the table must follow changes of a mesh and be stored: a user who paints a mesh would
+// lose an attribute that is not.
 #include "meshops/attributes.h"
 
 #include <gtest/gtest.h>

@@ -21,22 +21,22 @@
 namespace sherd {
 namespace {
 
-/// Cost of explicit steps, and of the evaluation of breaking at the end of each.
+/// Cost of an explicit step, with the evaluation of breaking at its end.
 struct ExplicitCost {
     std::size_t faces = 0;
-    double substeps = 0;  ///< in a step
-    double step = 0;      ///< s, the least of many: processor time of one thread, wall time of several
+    double substeps = 0;  ///< mean number of substeps in a step
+    double step = 0;      ///< s, of the fastest step: processor time with one thread, wall time with several
 
-    /// Faces times substeps a second.
+    /// Faces times substeps per second.
     double face_steps() const { return static_cast<double>(faces) * substeps / step; }
 };
 
-constexpr int steps_before = 10;  // until the disc is in contact
+constexpr int steps_before = 10;  // steps that are not measured, until the disc is in contact
 
-constexpr int steps = 60;  // only the fastest counts
+constexpr int steps = 60;  // measured steps, of which only the fastest counts
 
-/// Memory that coupled hinges read and write in a substep: 400 bytes a face, 200 for each of its hinges and
-/// 360 for each vertex.
+/// Memory that coupled hinges read and write in a substep: 400 bytes per face, 200 per hinge and 360 per
+/// vertex, with 3 / 2 hinges and 1 / 2 vertex per face.
 constexpr std::size_t bytes_a_face = 400 + 200 * 3 / 2 + 360 / 2;
 
 std::string scene_of(const std::string& model) {
@@ -60,7 +60,7 @@ scheme = "explicit"
     return text;
 }
 
-/// Measures it on a disc of about 6,000 faces that falls on a steel nose, in steps of 2e-6 s; sheets do not
+/// Measures explicit steps of 2e-6 s on a glass disc of about 6,000 faces that falls on a ball; sheets do not
 /// touch each other, and nothing breaks. model: see shell_variant().
 ExplicitCost explicit_cost(const std::string& model, int threads) {
     std::vector<std::string> warnings;
@@ -76,8 +76,8 @@ ExplicitCost explicit_cost(const std::string& model, int threads) {
     return cost;
 }
 
-/// Faces times substeps a second that one thread would make if it did nothing but read and write what a
-/// substep has to, from caches as large as this many faces fill.
+/// Upper bound of faces times substeps per second for one thread: the thread only reads and writes as much
+/// memory as a substep of this many faces does.
 double explicit_bound(std::size_t faces) {
     const std::size_t length = faces * bytes_a_face / (3 * sizeof(double));
     std::vector<double> sum(length, 0), one(length, 1), other(length, 2);
@@ -119,21 +119,23 @@ Json cost_json(const std::string& model, const NewtonCost& cost) {
             {"analysis", cost.analysis}};
 }
 
-/// A mesh, and what it cost to compute the case on it.
+/// The run of a case on a mesh.
 struct Solved {
-    double edge;
+    double edge;  ///< length of the mesh's edges
     ShellRun run;
 };
 
-/// The coarsest of the case's meshes from which on no error is above `error`; none: the finest has more.
+/// Result of needed_for().
 struct Needed {
-    std::optional<Solved> solved = {};
-    double finest_error = 0;  ///< %
+    std::optional<Solved> solved = {};  ///< run on the mesh; none: even the finest one is too coarse
+    double finest_error = 0;            ///< %, largest error on the finest mesh
 };
 
+/// Finds the coarsest mesh of the case on which, as on all finer ones, no error of the model exceeds `error`
+/// (%, as in ShellResult::error()).
 Needed needed_for(const ShellCase& one, const std::string& model, double error) {
     Needed needed;
-    for (std::size_t i = one.edges.size(); i-- > 0;) {  // a mesh that is too coarse ends the search
+    for (std::size_t i = one.edges.size(); i-- > 0;) {  // from the finest mesh to the first too coarse one
         const Solved solved{one.edges[i], run_case(one, shell_variant(model, one.edges[i], false))};
         const double found = solved.run.largest_error();
         if (i + 1 == one.edges.size()) needed.finest_error = found;

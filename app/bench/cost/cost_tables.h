@@ -10,18 +10,21 @@
 
 namespace sherd {
 
-/// Lengths of edges that give the hemisphere with a hole about 400, 1,600 and 6,400 vertices.
+/// Lengths of edges of meshes of the hemisphere with a hole with about 400, 1,600 and 6,400 vertices.
 inline constexpr std::array<double, 3> hemisphere_edges{0.66, 0.325, 0.162};
 
-/// Cost of an iteration on the hemisphere, relative to the first of the models. Prints a table as it goes, if
-/// `print`. Returns an array with an object for each mesh and model.
+/// Measures an iteration of Newton's method on the hemisphere with a hole, with each model (shell_variant())
+/// on a mesh of each length of edges. If `print`, prints the costs as they are measured, with their ratios to
+/// those of the first model. Returns an array with an object for each mesh and model.
 Json iteration_costs(const std::vector<std::string>& models, const std::vector<double>& edges, bool print);
 
-/// Cost of explicit steps with each model. Arguments and result are as in iteration_costs().
+/// Measures explicit steps of a struck disc with each model (shell_variant()). If `print`, prints the costs
+/// as they are measured. Returns an array with an object for each model.
 Json explicit_costs(const std::vector<std::string>& models, bool print);
 
-/// For each case, the mesh that each model needs for the error that coupled hinges have on the coarse mesh,
-/// and its cost.
+/// Finds, for each case and each model but `coupled`, the coarsest mesh on which the errors of the model do
+/// not exceed the largest error of coupled hinges on the coarse mesh. If `print`, prints each mesh and its
+/// processor time as it is found. Returns an array with an object for each case and model.
 Json costs_at_equal_error(const std::vector<ShellCase>& cases, const std::vector<std::string>& models,
                           bool print);
 

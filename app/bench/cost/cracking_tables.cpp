@@ -21,10 +21,10 @@ namespace {
 
 constexpr int settling = 1;  // the first step makes patterns and first factors, and is not measured
 
-/// The scene plate_drop with a mesh and a duration of its own.
+/// A mesh and a duration for the scene plate_drop.
 struct Drop {
-    double edge;  ///< m
-    double end;   ///< s
+    double edge;  ///< m, length of the mesh's edges
+    double end;   ///< s, duration
 };
 
 Scene drop_scene(const Drop& drop, const SolverChoice& choice) {
@@ -43,13 +43,13 @@ struct Steps {
     double seconds() const { return cost.seconds / laps; }
 };
 
-/// A choice of a solver in a drop.
+/// Result of a solver choice in a drop.
 struct Broken {
     RaceResult race;
-    double factorization;  ///< s, of the unfractured plate's matrix with the same energies
+    double factorization;  ///< s, to factorize the unfractured plate's matrix of the same energies once
     Steps flight, quiet, cracking;
 
-    /// Time of a cracking step over that of a step of another kind.
+    /// Mean time of a cracking step over the mean time of `steps`, which are of another kind.
     double ratio_to(const Steps& steps) const { return cracking.seconds() / steps.seconds(); }
 };
 

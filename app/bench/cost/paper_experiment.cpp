@@ -14,10 +14,10 @@
 namespace sherd {
 namespace {
 
-constexpr int middle = 2;  // index among five steps
+constexpr int middle = 2;  // index of the middle one of the five sizes of steps
 
 double edge_length(const PaperCase& one) {
-    // A mesh of equilateral triangles has two for each vertex.
+    // A mesh of equilateral triangles has two triangles for each vertex.
     return std::sqrt(one.scene.area / (0.5 * std::sqrt(3) * one.side * one.side));
 }
 
@@ -30,15 +30,17 @@ Scene scene_of(const PaperCase& one, const SolverChoice& choice, double step) {
                       {settings, "vertical"});
 }
 
-/// The largest distance of vertices, in edges; NaN where the runs did not make the same steps.
+/// The largest distance between the end positions of a vertex in two runs, in lengths of an edge; NaN if the
+/// runs did not make the same steps. edge: length of an edge, m.
 double difference(const RaceResult& one, const RaceResult& other, double edge) {
     if (!one.has_finished() || !other.has_finished() || one.halvings + other.halvings > 0)
         return std::numeric_limits<double>::quiet_NaN();
     return (one.end.position - other.end.position).colwise().norm().maxCoeff() / edge;
 }
 
-/// Choices that race beside each other, each group begun by what its others stand beside: a few at a time,
-/// since the largest meshes take gigabytes for each.
+/// Indices of the choices, in groups that race together. A group begins with the choice with which its other
+/// choices are compared. It has at most four choices, since on the largest meshes each takes gigabytes; the
+/// other choices are therefore distributed over several groups with the same beginning.
 std::vector<std::vector<std::size_t>> groups_of(const std::vector<SolverChoice>& choices) {
     constexpr std::size_t most = 4;
     std::vector<std::vector<std::size_t>> groups;
@@ -95,7 +97,7 @@ std::vector<PaperCase> paper_cases(bool quick, double most_vertices) {
 
 std::vector<PaperResult> run_paper_case(const PaperCase& one, const std::vector<SolverChoice>& choices) {
     SolverChoice fast = choices.front();
-    fast.settings.push_back("solver.method=quasi-newton");  // the last one of a key counts
+    fast.settings.push_back("solver.method=quasi-newton");  // the last setting of a key counts
     MeasuredRun before(scene_of(one, fast, one.scene.steps.back()));
     before.advance_to(one.scene.begin);
     const ShellMotion start = before.motion();
@@ -108,7 +110,7 @@ std::vector<PaperResult> run_paper_case(const PaperCase& one, const std::vector<
         const RaceResult beside = raced.front();
         for (std::size_t k = 0; k < group.size(); ++k) {
             PaperResult& result = results[group[k]];
-            if (k == 0 && result.ratio > 0) continue;  // as it was in its first group
+            if (k == 0 && result.ratio > 0) continue;  // keeps the result of its first group
             result.race = std::move(raced[k]);
             if (result.race.failure.empty() && beside.failure.empty())
                 result.ratio = result.race.cost().rate() / beside.cost().rate();

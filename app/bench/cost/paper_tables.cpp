@@ -18,7 +18,7 @@
 namespace sherd {
 namespace {
 
-/// A case that is done: a result for each choice.
+/// A case and its results, one for each solver choice.
 struct Done {
     PaperCase of;
     std::vector<PaperResult> results;
@@ -61,10 +61,10 @@ void print_row(const Done& done, const std::vector<SolverChoice>& choices) {
     std::fflush(stdout);
 }
 
-/// Results of a choice in all cases together.
+/// Results of one solver choice in all cases.
 struct Summary {
-    std::vector<double> ratios, of_first;  ///< beside what it stands beside, and the first choice
-    std::vector<double> differences;
+    std::vector<double> ratios, of_first;  ///< rates over that of SolverChoice::beside, of the first choice
+    std::vector<double> differences;       ///< PaperResult::difference where it is finite
     StepCost cost;
     int unfinished = 0;
 };
@@ -129,7 +129,8 @@ Json result_json(const Done& done, const SolverChoice& choice, const PaperResult
     return row;
 }
 
-/// The rates of one scene: over the step on the mesh of most cases, or over the mesh with one step.
+/// The rates in one scene: over the size of steps on the mesh of the first case or, unless `over_step`, over
+/// the number of vertices with the size of steps of the last case.
 Chart rate_chart(const std::vector<Done>& all, const std::string& scene, bool over_step,
                  const std::vector<SolverChoice>& choices) {
     const std::vector<Done> of_scene = [&] {

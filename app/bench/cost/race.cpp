@@ -30,7 +30,8 @@ class Runner {
         result.faces = run.shell().triangles.size();
     }
 
-    /// Goes on to this time, if it is still in the race, unless it has taken `most_seconds` then.
+    /// Continues to the time `end` (s), if the simulation is still in the race. If it takes more than
+    /// `most_seconds` of processor time, counted from its beginning, it leaves the race.
     StepCost resume(double end, double most_seconds) {
         if (!is_racing()) return {};
         const StepCost cost = run.advance_to(end, most_seconds - seconds);
@@ -51,8 +52,8 @@ class Runner {
     double seconds = 0;
 };
 
-/// All of them, each with its first laps behind it, which are made one after the other: see
-/// RaceResult::memory.
+/// Makes a runner for each scene, which makes its settling laps before the next runner is made, so that
+/// RaceResult::memory is that of this runner alone.
 std::vector<Runner> settled(const std::vector<Scene>& scenes, const RaceOptions& options,
                             const std::optional<ShellMotion>& start) {
     std::vector<Runner> runners;

@@ -13,20 +13,20 @@
 
 namespace sherd {
 
-/// Cost of some steps of a simulation, and their work.
+/// Cost of several steps of a simulation, and numbers of their operations.
 struct StepCost {
-    double seconds = 0;    ///< processor time of all threads
-    double simulated = 0;  ///< s
+    double seconds = 0;    ///< s, processor time of all threads
+    double simulated = 0;  ///< s, simulated time
     std::int64_t steps = 0, iterations = 0, factorizations = 0, analyses = 0;
     std::int64_t stages = 0;    ///< stages of breaking
     std::int64_t halvings = 0;  ///< halvings of steps that could not be solved
     std::int64_t contacts = 0;  ///< vertices in contact with obstacles or bodies, a sum over the steps
 
     StepCost& operator+=(const StepCost& more);
-    double rate() const { return simulated / seconds; }  ///< s simulated in a second
+    double rate() const { return simulated / seconds; }  ///< simulated time over processor time
 };
 
-/// Where a shell is, m, and how fast, m/s: [3, V].
+/// Positions (m) and velocities (m/s) of a shell's vertices, [3, V].
 struct ShellMotion {
     Positions position, velocity;
 };
@@ -34,46 +34,52 @@ struct ShellMotion {
 /// A simulation whose steps are measured.
 class MeasuredRun {
   public:
-    /// Begins where the scene does, or at `start`, with vertices as the scene's are.
+    /// Begins in the initial state of the scene or, if `start` is given, with these positions and velocities
+    /// of the scene's vertices.
     explicit MeasuredRun(const Scene& scene, const std::optional<ShellMotion>& start = {});
 
-    /// Steps until this time, and returns what that cost. The first step that cannot be solved ends the run;
-    /// after `most_seconds` of processor time no step is begun.
+    /// Makes steps until `time` (s), and returns their cost. Begins no step after `most_seconds` of processor
+    /// time. The first step that cannot be solved ends the run: see failure().
     StepCost advance_to(double time, double most_seconds = std::numeric_limits<double>::infinity());
     const Shell& shell() const { return simulation->shell().mechanics(); }
     ShellMotion motion() const { return {shell().position, shell().velocity}; }
     double time() const { return simulation->time(); }
     bool has_reached(double end) const { return time() >= end * (1 - 1e-9); }
-    const std::string& failure() const { return why; }  ///< empty: there was none
+    const std::string& failure() const { return why; }  ///< why a step cannot be solved; empty: none failed
 
   private:
     std::unique_ptr<Simulation> simulation;
     std::string why;
 };
 
+/// Options of a race, in which simulations take turns after each lap, a stretch of simulated time.
 struct RaceOptions {
-    double step = 1e-4;    ///< s, of a lap
-    int settling = 2;      ///< laps that are not measured: patterns, first factors, the change of the step
-    int laps = 10;         ///< measured laps
-    double allowance = 6;  ///< times the first one's processor time, with which one is out of the race
+    double step = 1e-4;  ///< s, simulated time of a lap
+    /// Number of laps before the measured ones. They contain the analysis of patterns, first factorizations
+    /// and the adaptation to another size of steps.
+    int settling = 2;
+    int laps = 10;  ///< number of measured laps
+    /// A simulation leaves the race when it has taken this many times the first simulation's processor time.
+    double allowance = 6;
 };
 
-/// How one did in a race.
+/// Result of one simulation in a race.
 struct RaceResult {
-    std::vector<StepCost> laps;
-    ShellMotion end;
-    std::size_t vertices = 0, faces = 0;  ///< at the start
-    std::int64_t halvings = 0;            ///< in all steps, those before the laps too
-    double memory = 0;                    ///< bytes, the most that it took until its laps were measured
-    bool is_out = false;  ///< took too long: its laps are fewer, and the last one is a part of one
-    std::string failure;  ///< why it could not go on; empty: it could
+    std::vector<StepCost> laps;           ///< cost of each measured lap
+    ShellMotion end;                      ///< motion at the end of the race
+    std::size_t vertices = 0, faces = 0;  ///< numbers of vertices and faces at the start
+    std::int64_t halvings = 0;            ///< halvings of steps in all laps, settling laps included
+    double memory = 0;                    ///< bytes, largest memory of the simulation in its settling laps
+    bool is_out = false;  ///< took too long: there are fewer laps, and the last lap is incomplete
+    std::string failure;  ///< why a step could not be solved; empty: none failed
 
     bool has_finished() const { return !is_out && failure.empty(); }
     StepCost cost() const;  ///< cost of all laps
 };
 
-/// Lets simulations of these scenes, which differ in how they are solved, make the same laps of simulated
-/// time in turn, so that what else the machine does meets all of them alike. The first one is never out.
+/// Simulates the scenes, which differ only in their solvers, in laps of equal simulated time. The simulations
+/// make each lap in turn, so that other load on the machine affects all alike. The first simulation never
+/// leaves the race. start: see MeasuredRun. Returns a result for each scene.
 std::vector<RaceResult> race(const std::vector<Scene>& scenes, const RaceOptions& options,
                              const std::optional<ShellMotion>& start = {});
 

@@ -23,10 +23,11 @@ namespace sherd {
 namespace {
 
 constexpr double fewest_vertices = 400, growth = 4;
-constexpr double fitted_from = 1000;  // vertices; smaller meshes fit into the caches
-constexpr double side = 0.5;          // m
+constexpr double fitted_from = 1000;  // fewest vertices in fits, since smaller meshes fit into the caches
+constexpr double side = 0.5;          // m, of the square pane
 
-/// A pane of glass, clamped at one side and otherwise moving, without contact and fracture.
+/// A pane of glass with about this many vertices, which is clamped at one side, has an initial velocity, and
+/// neither touches anything nor breaks.
 Scene pane(double vertices, const SolverChoice& choice) {
     const double edge = side / std::sqrt(0.5 * std::sqrt(3) * vertices);
     return parse_scene(fmt::format(R"(duration = 1
@@ -42,11 +43,11 @@ step = 1e-4
                        "bench", {choice.settings, ""});
 }
 
-/// Steps with a choice of a solver on a mesh.
+/// Measured steps with one solver choice on one mesh.
 struct Quiet {
     const SolverChoice& choice;
     RaceResult race;
-    NewtonCost bound;   ///< lower bound, with the same energies
+    NewtonCost bound;   ///< cost of a Newton iteration with the same energies, for lower bounds
     double two_passes;  ///< s, to read the factor in double precision twice from memory
 
     double vertices() const { return static_cast<double>(race.vertices); }
@@ -58,7 +59,7 @@ struct Quiet {
     bool is_known() const { return race.failure.empty() && race.cost().steps > 0; }
 };
 
-/// Measures all choices on a mesh. bandwidth: bytes/s.
+/// Measures all choices on a mesh of about `vertices` vertices. bandwidth: of the memory, bytes/s.
 std::vector<Quiet> quiet_steps(double vertices, const std::vector<SolverChoice>& choices, double bandwidth) {
     std::map<std::string, NewtonCost> bounds;
     std::vector<Scene> scenes;
@@ -113,7 +114,7 @@ Json quiet_json(const Quiet& quiet) {
             {"failure", quiet.race.failure}};
 }
 
-/// Line of a choice over the number of vertices. value: the ordinate, from a Quiet.
+/// The line of a solver choice over the number of vertices in a chart. value: computes y from a Quiet.
 template <class Value>
 ChartSeries over_vertices(const std::vector<Quiet>& all, const SolverChoice& choice, Value value) {
     ChartSeries series{

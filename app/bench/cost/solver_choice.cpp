@@ -11,7 +11,9 @@
 namespace sherd {
 namespace {
 
-/// Models of hinges. The Jacobian is that of the energies, unless a setting chooses another.
+/// A model of hinges: the name of its energies, the name of its choice with Newton's method, the name of the
+/// choice with which it is compared, and its setting. The Jacobian is that of the energies, unless a further
+/// setting chooses another.
 struct Hinges {
     std::string energies, pairing, beside, bending;
 };
@@ -20,7 +22,8 @@ const Hinges nonlinear{"NH", "(NH, NH)", "(NH, NH)", "solver.bending=nonlinear"}
     cubic{"CS", "(CS, CS)", "(NH, NH)", "solver.bending=cubic"},
     coupled{"coupled", "coupled", "coupled", "solver.bending=coupled"};
 
-/// Newton's method in a pairing of the paper whose Jacobian is not that of the energy.
+/// Newton's method with a pairing (energy, Jacobian) of the paper in which the Jacobian is not that of the
+/// energy. jacobian: setting for it.
 SolverChoice inexact(const Hinges& hinges, const char* pairing, const char* jacobian, const char* colour) {
     return {.name = pairing,
             .energies = hinges.energies,

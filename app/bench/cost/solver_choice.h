@@ -6,29 +6,29 @@
 
 namespace sherd {
 
-/// A way to solve the steps of a scene.
+/// Bending energies, a Jacobian and a method, with which the steps of a scene are solved.
 struct SolverChoice {
-    std::string name;                   ///< as the paper has it: (energy, Jacobian)
-    std::string energies;               ///< choices of one kind end a step at the same positions
-    std::string beside;                 ///< name of the choice that its cost is compared with
-    std::vector<std::string> settings;  ///< KEY=VALUE, as of `sherd run --set`
-    bool exact = true;                  ///< whether the Jacobian is that of its energies
-    std::string colour;                 ///< colour of its line, as in SVG
-    bool dashed = false;
+    std::string name;      ///< method, unless it is Newton's, and (energy, Jacobian) as in Cubic Shells
+    std::string energies;  ///< name of the energies; choices with the same energies have the same solutions
+    std::string beside;    ///< name of the choice with whose cost this one is compared; may be itself
+    std::vector<std::string> settings;  ///< KEY=VALUE, as for `sherd run --set`
+    bool exact = true;                  ///< whether the Jacobian is that of the energies
+    std::string colour;                 ///< colour of the choice's line in charts, as in SVG
+    bool dashed = false;                ///< whether this line is dashed
 
     bool is_coupled() const { return energies == "coupled"; }
 };
 
-/// All that are compared; each comes after the one that it is compared with.
+/// All choices; a choice comes after the one with which it is compared.
 std::vector<SolverChoice> solver_choices();
 
-/// Choices with the Jacobian of their energies and with `only` in their names. Throws Error if there is none.
+/// The exact choices with `only` in their names. Throws Error if there is none.
 std::vector<SolverChoice> exact_choices(const std::string& only);
 
 /// The choice of this name. Throws std::logic_error if there is none.
 const SolverChoice& choice_named(const std::vector<SolverChoice>& choices, const std::string& name);
 
-/// Place of the choice beside which the i-th one stands.
+/// Index of the choice with which choices[i] is compared (SolverChoice::beside).
 std::size_t place_beside(const std::vector<SolverChoice>& choices, std::size_t i);
 
 }  // namespace sherd

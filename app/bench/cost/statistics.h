@@ -12,7 +12,7 @@ namespace sherd {
 double median(std::vector<double> numbers);
 
 /// The exponent p of the power law y = c x^p that fits points (x, y) of positive numbers best, by least
-/// squares of logarithms. Needs two different x.
+/// squares of logarithms. At least two points must differ in x.
 double fitted_exponent(std::span<const Vector2d> points);
 
 }  // namespace sherd

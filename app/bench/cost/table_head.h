@@ -6,7 +6,7 @@
 
 namespace sherd {
 
-/// The first two lines of a table of Markdown with these columns.
+/// The first two lines of a Markdown table: the names of the columns, and the rule below them.
 std::string table_head(const std::vector<std::string>& columns);
 
 }  // namespace sherd

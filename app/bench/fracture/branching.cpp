@@ -9,13 +9,13 @@
 namespace sherd {
 namespace {
 
-constexpr double behind = 5e-3;  // m, from the first branching to where its arms are looked at
+constexpr double behind = 5e-3;  // m, distance along x from the first fork at which its arms are measured
 
 struct CrackEdge {
     Vector2d left, right;  ///< m
 };
 
-/// The edges that failed in the steps of a run.
+/// The edges that failed in the steps of a run, without the crack of the start.
 std::vector<CrackEdge> crack_edges(const FractureHistory& run) {
     std::vector<CrackEdge> edges;
     for (const EdgeFailure& failure : run.events.failures) {
@@ -27,7 +27,7 @@ std::vector<CrackEdge> crack_edges(const FractureHistory& run) {
     return edges;
 }
 
-/// The leftmost point from which two edges go to the right.
+/// The leftmost point from which more than one edge goes to the right; none if there is no such point.
 std::optional<Vector2d> first_fork(const std::vector<CrackEdge>& edges) {
     std::map<std::array<double, 2>, int> leave;
     for (const CrackEdge& edge : edges) ++leave[{edge.left.x(), edge.left.y()}];
@@ -36,7 +36,7 @@ std::optional<Vector2d> first_fork(const std::vector<CrackEdge>& edges) {
     return std::nullopt;
 }
 
-/// Heights at which a line across the plate meets the crack, ascending.
+/// Heights y, m, at which the line across the plate at `x` (m) meets the cracks, ascending.
 std::vector<double> heights_at(double x, const std::vector<CrackEdge>& edges) {
     std::vector<double> heights;
     for (const auto& [left, right] : edges)

@@ -12,11 +12,11 @@
 namespace sherd {
 namespace {
 
-/// Prediction of theory for the scene, at the load 1.
+/// Theory's prediction for the scene, in which the crack is turned counterclockwise from the x axis.
 struct CentreTheory {
-    ModePair factors;  ///< Pa m^0.5; of a crack that is turned counterclockwise
-    double turn;       ///< rad, clockwise
-    double load;       ///< at which it grows
+    ModePair factors;  ///< Pa m^0.5, K_I and K_II at the load factor 1
+    double turn;       ///< rad, angle by which the growing crack turns clockwise
+    double load;       ///< load factor at which the crack grows
 
     explicit CentreTheory(const Scene& scene) {
         const FirstCrack crack(scene);
@@ -43,7 +43,7 @@ void pull_as_if_infinite(const Scene& scene, const Shell& shell, SimulationOptio
     options.stepper.shell.loads = {load};
 }
 
-/// Degrees by which the first edges turn clockwise, on the mean.
+/// The mean angle, degrees, by which the edges of the run's growth turn clockwise from the crack.
 double mean_turn(const FractureHistory& run) {
     const FirstCrack crack(run.scene);
     const Vector2d ahead = (crack.to - crack.from).normalized();

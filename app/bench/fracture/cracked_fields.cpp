@@ -10,7 +10,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// sqrt(z^2 - a^2), cut between -a and a only.
+/// sqrt(z^2 - a^2), with a branch cut between -a and a only.
 Complex cut_root(Complex z, double a) {
     return std::sqrt(z - a) * std::sqrt(z + a);
 }
@@ -33,7 +33,8 @@ double PulledSheet::shear() const {
     return std::abs(shear_stress) * std::sqrt(std::numbers::pi * half_length);
 }
 
-// s_xx + s_yy = 4 Re Phi, s_yy - i s_xy = Phi(z) + Omega(conj z) + (z - conj z) conj Phi'(z).
+// In the crack's frame s_xx + s_yy = 4 Re Phi(z) and
+// s_yy - i s_xy = Phi(z) + Omega(conj z) + (z - conj z) conj(Phi'(z)); slope is Phi'(z).
 Eigen::Matrix2d PulledSheet::stress(const Vector2d& at) const {
     const Eigen::Rotation2Dd turn(angle);
     const Vector2d p = turn.inverse() * at;
@@ -50,10 +51,10 @@ Eigen::Matrix2d PulledSheet::stress(const Vector2d& at) const {
 
 namespace {
 
-/// Derivatives of phi and omega in the deflection w = Re((conj z - z) phi + integrals of phi and omega), for
-/// a plate of rigidity 1 with m_yy = 1 far away.
+/// The deflection of a plate of rigidity 1 with m_yy = 1 far away is w = Re((conj z - z) f + integrals of f
+/// and g). The potentials f and g enter the moments with f', f'' and g'.
 struct PlatePotentials {
-    Complex phi, slope, omega;
+    Complex phi, slope, omega;  ///< f', f'' and g' at z
 
     PlatePotentials(Complex z, double a, double poisson) {
         const double kappa = (3 + poisson) / (1 - poisson), scale = 1 / (1 - poisson * poisson);

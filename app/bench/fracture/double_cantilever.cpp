@@ -7,11 +7,12 @@
 namespace sherd {
 namespace {
 
-constexpr double end_correction = 0.673;  // arm heights, Foote and Buchwald
+constexpr double end_correction = 0.673;  // length by which arms exceed the crack, in heights of an arm
 
-/// The strip of the scene.
+/// The strip of the scene, which the crack splits into two arms.
 struct Cantilever {
-    double height, young, toughness, thickness;  ///< values of an arm
+    /// Height of one arm, m; Young's modulus, Pa; toughness, Pa m^0.5; thickness of the strip, m.
+    double height, young, toughness, thickness;
 
     explicit Cantilever(const Scene& scene)
         : height(outline_corners(scene)[1].y()),
@@ -20,8 +21,10 @@ struct Cantilever {
           thickness(scene.sheets.front().material.thickness) {}
 
     double release() const { return toughness * toughness / young; }
-    /// The length of the crack. opening: of both arms, m; pressed: stress along the arms, Pa, with which they
-    /// bend by a 15th of x^2 less at their root, x^2 = pressed height t l^2 / (Y I).
+    /// Returns theory's length of the crack, m. opening: distance by which the ends of the two arms have
+    /// moved apart, m; pressed: compressive stress along the arms, Pa. For the same opening this stress
+    /// reduces the curvature at the root of an arm by the share x^2 / 15, with x^2 = pressed height t l^2 /
+    /// (Y I) for an arm of length l, thickness t and second moment of area I.
     double crack(double opening, double pressed) const {
         const double plain =
             std::pow(3 * young * std::pow(height, 3) * opening * opening / (16 * release()), 0.25);
@@ -30,7 +33,7 @@ struct Cantilever {
     }
 };
 
-/// The mean of crack length over theory, at the ends of steps from the first growth on.
+/// The mean of the crack's length over theory's length, at the ends of steps from the first growth on.
 double mean_length(const FractureHistory& run, const std::vector<GrownEdge>& edges) {
     const Cantilever strip(run.scene);
     const double press = run.scene.loads.front().force.x() / strip.thickness;

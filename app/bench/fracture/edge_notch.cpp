@@ -7,7 +7,7 @@
 namespace sherd {
 namespace {
 
-/// K_I at the load 1.
+/// Theory's K_I at the load factor 1, Pa m^0.5.
 double notch_theory(const Scene& scene) {
     const std::array<Vector2d, 2> corners = outline_corners(scene);
     const double a = 2 * FirstCrack(scene).half_length(), x = a / (corners[1].x() - corners[0].x());

@@ -6,17 +6,18 @@
 namespace sherd {
 
 struct FractureRun {
-    std::size_t faces = 0;       ///< faces of the mesh before anything grew
-    double seconds = 0;          ///< processor time
-    std::vector<double> values;  ///< the case's numbers; none: nothing grew, or it failed before
-    std::vector<Vector2d> path;  ///< m, ends of the edges by which the crack grew, from its tip on
-    std::string failure;         ///< why it was not computed to its end; empty: it was
+    std::size_t faces = 0;       ///< number of faces before the crack grew
+    double seconds = 0;          ///< s, processor time
+    std::vector<double> values;  ///< result of FractureCase::measure; empty: no crack grew, or no result
+    std::vector<Vector2d> path;  ///< m, the crack's tip at the start, then the far ends of the failed edges
+    std::string failure;         ///< why the run ended early, or that no crack grew; empty: neither
 };
 
-/// Computes a case on a mesh with this length of edges, m.
+/// Simulates a case on a mesh with edges of the length `edge` (m). seed: of the scene; another seed makes
+/// another mesh.
 FractureRun run_fracture(const FractureCase& one, double edge, int seed);
 
-/// The largest distance, m, of a point of one path from another path, for any two of them.
+/// Returns the largest distance, m, of a point of any of the paths from any other path.
 double largest_distance(const std::vector<std::vector<Vector2d>>& paths);
 
 }  // namespace sherd

@@ -35,7 +35,8 @@ void print_head(const FractureCase& one) {
     std::fflush(stdout);
 }
 
-/// "0.98 +- 0.01", and a mark where the mean is farther from theory than it may be.
+/// Mean and standard deviation of the i-th number over the runs that have it, "0.98 ± 0.01", and a mark if
+/// the mean differs from theory by more than number.bound.
 std::string spread_words(const FractureNumber& number, const std::vector<FractureRun>& runs, std::size_t i) {
     double sum = 0, squares = 0;
     int count = 0;
@@ -77,7 +78,7 @@ Json run_json(const FractureCase& one, double edge, int seed, const FractureRun&
     return json;
 }
 
-/// Prints the numbers of a case as they come.
+/// Runs a case, and prints a row of its numbers after the runs of each length of edges, if `print`.
 class Experiment {
   public:
     Experiment(const FractureCase& one, bool print) : one(one), print(print) {

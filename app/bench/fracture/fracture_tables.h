@@ -7,9 +7,9 @@
 
 namespace sherd {
 
-/// Computes the cases with `only` in their names on three meshes of three lengths of edges; quickly: on one
-/// of the two larger lengths. Prints tables as it goes, if `print`. Returns an object for each run. Throws
-/// Error when there is no such case.
+/// Simulates the cases with `only` in their names on three meshes for each of three lengths of edges or, if
+/// `quick`, on one mesh for each of the two largest lengths. If `print`, prints tables as it goes. Returns an
+/// array with an object for each run. Throws Error if there is no such case.
 Json fracture_experiments(const std::string& only, bool quick, bool print);
 
 }  // namespace sherd

@@ -5,28 +5,29 @@
 
 namespace sherd {
 
-/// The ends of the first crack that the scene's first sheet has from the start, m.
+/// The first of the cracks that the scene's first sheet has from the start.
 struct FirstCrack {
-    Vector2d from, to;
+    Vector2d from, to;  ///< m, ends
 
     explicit FirstCrack(const Scene& scene);
     double half_length() const { return 0.5 * (to - from).norm(); }
     double angle() const;  ///< rad, from the x axis
 };
 
-/// An edge that a tip took, at rest.
+/// An edge along which a tip advanced, at rest.
 struct GrownEdge {
-    Vector2d from, to;  ///< m
-    std::int64_t step;
+    Vector2d from, to;  ///< m, ends, in the direction of the tip
+    std::int64_t step;  ///< number of the step in which the edge failed
 };
 
-/// The edges that have failed in the steps of a run, each seen from the tip that it is nearer to.
+/// The edges that failed in the steps of a run, in this order. Each begins at the end that is nearer to a
+/// tip, and moves the nearest tip to its other end; at first the tips are the ends of FirstCrack.
 std::vector<GrownEdge> grown_edges(const FractureHistory& run);
 
-/// Loads of the tips in the last step.
+/// The records of the tips in the last step.
 std::vector<TipRecord> last_tips(const FractureHistory& run);
 
-/// The lower and the upper corner of the first sheet's outline, m.
+/// The lower and the upper corner of the box around the first sheet's outline, m.
 std::array<Vector2d, 2> outline_corners(const Scene& scene);
 
 }  // namespace sherd

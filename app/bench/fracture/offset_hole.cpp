@@ -7,9 +7,9 @@
 namespace sherd {
 namespace {
 
-constexpr int degree = 10;  // degree of the smooth curve: a lower one does not fit the path of fine meshes
+constexpr int degree = 10;  // degree of SmoothCurve: a lower degree does not fit the path on fine meshes
 
-/// y as a polynomial of x in the least squares.
+/// The polynomial y(x) that fits points in the least squares.
 class SmoothCurve {
   public:
     explicit SmoothCurve(const std::vector<Vector2d>& points)

@@ -8,10 +8,11 @@
 namespace sherd {
 namespace {
 
-constexpr double at_maximum = 3.5449077018110318;  // 2 sqrt(pi), where the curvature is largest
+constexpr double at_maximum = 3.5449077018110318;  // 2 sqrt(pi), where released_curvature() is largest
 
-/// Curvature over that before, at s = x sqrt(c t) from the end that was let go: 2 S(x / sqrt(2 pi)), the
-/// integral of sin(x^2 / 4) sqrt(2 / pi), by Simpson's rule.
+/// Curvature over the initial curvature, at the time t after one end of the strip is released and at the
+/// distance s = x sqrt(c t) from this end. It is 2 S(x / sqrt(2 pi)) with Fresnel's integral S, or the
+/// integral of sin(y^2 / 4) sqrt(2 / pi) over y from 0 to x, by Simpson's rule.
 double released_curvature(double x) {
     constexpr int pieces = 200;
     const double h = x / pieces;
@@ -23,8 +24,8 @@ double released_curvature(double x) {
     return sum * h / 3 * std::sqrt(2 / std::numbers::pi);
 }
 
-/// Where, as the largest wave comes, the curvature becomes so many times that before. Those ahead of it reach
-/// 1.258, 1.202 and less.
+/// The x at which the front of the largest wave reaches `curvature` times the initial curvature, as it comes
+/// from larger x. The waves ahead of it reach only 1.258, 1.202 and less; `curvature` must be larger.
 double place_of(double curvature) {
     double low = at_maximum, high = at_maximum * std::numbers::sqrt2;
     for (int i = 0; i < 60; ++i) {
@@ -36,9 +37,9 @@ double place_of(double curvature) {
 
 struct ReleasedStrip {
     double length;     ///< m
-    double curvature;  ///< 1/m, before
-    double stress;     ///< Pa, before, at the surface
-    double speed;      ///< c, m^2/s
+    double curvature;  ///< 1/m, initial curvature, before the release
+    double stress;     ///< Pa, initial stress at the surface, before the release
+    double speed;      ///< m^2/s, the constant c of released_curvature()
 
     explicit ReleasedStrip(const Scene& scene) {
         const SheetSpec& sheet = scene.sheets.front();
@@ -55,7 +56,7 @@ double largest_curvature(const GaugeReading& gauge) {
     return 0.5 * (k[0] + k[1] + std::hypot(k[0] - k[1], k[2]));
 }
 
-/// Curvature at gauge `g` at a time (s), interpolated between the ends of steps.
+/// Largest principal curvature, 1/m, at gauge `g` at a time (s), interpolated between the ends of steps.
 double curvature_at(const std::vector<StepReport>& steps, std::size_t g, double time) {
     const auto after = std::ranges::lower_bound(steps, time, {}, &StepReport::time);
     if (after == steps.begin()) return largest_curvature(after->gauges[g]);
@@ -64,7 +65,8 @@ double curvature_at(const std::vector<StepReport>& steps, std::size_t g, double 
     return (1 - share) * largest_curvature(before->gauges[g]) + share * largest_curvature(next->gauges[g]);
 }
 
-/// The largest curvature over x, as the mean of what all gauges show at this x, and the place where it is.
+/// Returns the largest curvature over theory's, and the x of this curvature over theory's x. Curvature as a
+/// function of x is the mean of all gauges, each at the time when it has this x: see released_curvature().
 std::vector<double> measure_wave(const FractureHistory& run) {
     const ReleasedStrip strip(run.scene);
     double largest = 0, place = 0;
@@ -81,7 +83,8 @@ std::vector<double> measure_wave(const FractureHistory& run) {
     return {largest / (strip.curvature * released_curvature(at_maximum)), place / at_maximum};
 }
 
-/// The time at which the scored line begins to break, over that of theory.
+/// Returns the time of the first failure over theory's time for the scored line, and the distance of this
+/// failure from the released end over that of the line.
 std::vector<double> measure_break(const FractureHistory& run) {
     if (run.events.failures.empty()) return {};
     const ReleasedStrip strip(run.scene);

@@ -9,7 +9,7 @@
 namespace sherd {
 namespace {
 
-/// Profile of r^2 = 1 + z^2 from its end to its waist.
+/// Profile of the hyperboloid r^2 = 1 + z^2 from its end z = 1 to its waist z = 0, as TOML.
 std::string hyperbola() {
     constexpr int pieces = 200;
     std::string points;
@@ -20,7 +20,7 @@ std::string hyperbola() {
     return "[" + points + "]";
 }
 
-/// Dead forces of the pressure p cos(2 angle) outward.
+/// Dead forces of the outward pressure p cos(2 angle), with the angle about the z axis from the x axis.
 Load periodic_pressure(const Shell& shell, double p) {
     Load load;
     for (Index face = 0; face < static_cast<Index>(shell.triangles.size()); ++face) {
@@ -35,8 +35,9 @@ Load periodic_pressure(const Shell& shell, double p) {
     return load;
 }
 
-/// An eighth of the hyperboloid |z| < 1 with free ends under a tenth of the thickness times the pressure
-/// 1e4 t^3 cos(2 angle), so that theory is linear. energy: of the whole under all of it, over t^3.
+/// An eighth of the hyperboloid |z| < 1 with free ends and the thickness t. The pressure 1e4 t^3 cos(2 angle)
+/// is multiplied by 0.1 t, so that the linear theory holds. energy: reference for the elastic energy of the
+/// whole hyperboloid under the pressure without this factor, divided by t^3.
 ShellCase hyperboloid(double thickness, double energy) {
     const double share = 0.1 * thickness, cube = std::pow(thickness, 3);
     return {.name = fmt::format("hyperboloid, free ends, t = {}", thickness),

@@ -15,10 +15,11 @@ namespace {
 
 using Vector4d = Eigen::Vector4d;
 
-/// Angle, curvature, and the place along and across the cantilever.
+/// A point of a bent cantilever: angle, curvature, and position along and across the straight cantilever.
 using State = Eigen::Vector4d;
 
-/// The tip's state if this is the curvature at the wall, by Runge-Kutta's method of fourth order.
+/// The state of the tip under the load q of elastica_tip() for a given curvature at the wall, by the
+/// Runge-Kutta method of fourth order.
 State tip_state(double q, double curvature) {
     const auto slope = [&](double s, const State& y) {
         return State(y[1], -q * (1 - s) * std::cos(y[0]), std::cos(y[0]), std::sin(y[0]));
@@ -35,9 +36,9 @@ State tip_state(double q, double curvature) {
     return y;
 }
 
-/// Where the tip of an inextensible cantilever of length 1 and rigidity 1 comes to rest under a dead load q a
-/// length, which acts across it: what it moves back along the cantilever, and what it sinks. From
-/// angle'' = -q (1 - s) cos(angle), angle(0) = 0, angle'(1) = 0, to ten digits.
+/// Displacement of the tip of an inextensible cantilever of length 1 and rigidity 1 under the dead load q per
+/// length, which acts across the straight cantilever: along the cantilever towards the wall, and in the
+/// direction of the load. Solves angle'' = -q (1 - s) cos(angle), angle(0) = 0, angle'(1) = 0, to ten digits.
 Vector2d elastica_tip(double q) {
     double low = 0, high = q;
     for (int i = 0; i < 60; ++i) {
@@ -50,8 +51,9 @@ Vector2d elastica_tip(double q) {
 
 constexpr double pi = std::numbers::pi;
 
-/// Values of omega a^2 sqrt(rho t / D): converged Ritz values, up to 0.9 % under the upper bounds of Leissa,
-/// J. Sound Vib. 31 (1973), 257-293 (13.489, 19.789, 24.432, 35.024, 35.024, 61.526).
+/// A square plate with free sides. The list has values of omega a^2 sqrt(rho t / D): converged Ritz values,
+/// up to 0.9 % below the upper bounds of Leissa, J. Sound Vib. 31 (1973), 257-293
+/// (13.489, 19.789, 24.432, 35.024, 35.024, 61.526).
 ShellCase free_square() {
     std::vector<double> frequencies;
     for (const double omega : {13.468, 19.596, 24.270, 34.801, 34.801, 61.093})
@@ -64,7 +66,7 @@ ShellCase free_square() {
             .source = "Leissa 1973, with the digits of converged Ritz values; nu 0.3"};
 }
 
-/// Over q a^4 / D, of the middle of a supported square (Navier's series).
+/// Deflection of the middle of a supported square under the pressure q, over q a^4 / D, by Navier's series.
 double navier() {
     double sum = 0;
     for (int m = 1; m < 200; m += 2)
@@ -74,7 +76,8 @@ double navier() {
     return sum;
 }
 
-/// A quarter of a square of side 1 under pressure, whose middle is the origin.
+/// A quarter of a square of side 1 about the origin under pressure. support: key for the sides, `pin` or
+/// `clamp`; factor: deflection of the middle over q a^4 / D.
 ShellCase pressed_square(const std::string& name, const std::string& support, double factor,
                          const std::string& source) {
     const std::string sides =
@@ -89,14 +92,16 @@ ShellCase pressed_square(const std::string& name, const std::string& support, do
             .source = source};
 }
 
-/// Compliance S11 of a strip at an angle to the first axis, times the rigidity along that axis.
+/// Compliance S11 of a strip at an angle to the first material axis, times Young's modulus along this axis.
+/// young1, shear: moduli over this modulus; Poisson's ratios are 0.
 double compliance(double degrees, double young1, double shear) {
     const double w = degrees * pi / 180, c = std::pow(std::cos(w), 2), s = std::pow(std::sin(w), 2);
     return c * c + s * s / young1 + s * c / shear;
 }
 
-/// A strip of its own at a place along y: held at three corners, so that moments at its two ends are all the
-/// forces on it, and its curvature is the same everywhere.
+/// TOML of a separate strip at the place `y`, without its mesh. It is held at three corners, so that the
+/// moments at its two ends are the only load on it, and its curvature is the same everywhere. young1, shear:
+/// see compliance().
 std::string bent_strip(const std::string& name, double y, double degrees, double young1, double shear) {
     const double young = young_of_unit_plate(0);
     return fmt::format(
@@ -115,7 +120,7 @@ std::string bent_strip(const std::string& name, double y, double degrees, double
 }
 
 ShellCase orthotropic_strips() {
-    constexpr double young1 = 0.2, shear = 0.16;  // over Y0
+    constexpr double young1 = 0.2, shear = 0.16;  // Y1 / Y0 and G01 / Y0
     ShellCase all{.name = "plate, orthotropic strips",
                   .sheet = "",
                   .rest = "",
@@ -147,7 +152,8 @@ ShellCase heavy_elastica() {
             .source = "the elastica's equation; q L^3 / D = 8, nu 0"};
 }
 
-/// Three corners are held, and a force P at the fourth makes forces of P at all: m_xy is half of it.
+/// A strip that is held at three corners. The force P at the fourth corner makes forces of the size P at all
+/// four: m_xy is P / 2 everywhere.
 ShellCase twisted_strip() {
     constexpr double width = 0.25, force = 0.1 * small;
     return {.name = "plate, twisted strip",
@@ -168,12 +174,12 @@ constexpr double ring_inner = 0.4;
 class ClampedRing {
   public:
     ClampedRing();
-    double energy() const;  ///< half the work
-    /// See PlateMoments; the pressure pushes towards z.
+    double energy() const;  ///< elastic energy: half the work of the pressure
+    /// Moments in the form of PlateMoments, for a pressure that pushes towards z > 0.
     Eigen::Matrix2d moments(const Vector2d& p) const;
 
   private:
-    Vector4d found;  ///< a, b, c, d: w = r^4 / 64 + a + b r^2 + c ln r + d r^2 ln r
+    Vector4d found;  ///< a, b, c, d in the deflection w = r^4 / 64 + a + b r^2 + c ln r + d r^2 ln r
 };
 
 ClampedRing::ClampedRing() {
@@ -206,11 +212,11 @@ Eigen::Matrix2d ClampedRing::moments(const Vector2d& p) const {
     return -((1 - plate_poisson) * second + plate_poisson * second.trace() * Eigen::Matrix2d::Identity());
 }
 
-/// Results on faces away from the rims.
+/// The relative error of the moments of faces away from the rims.
 std::vector<ShellResult> measure_ring(const ClampedRing& ring, const Simulation& simulation,
                                       const StepReport&) {
     const Shell& shell = simulation.shell().mechanics();
-    const double push = small * side_of(shell, 0);  // pressure pushes along normals
+    const double push = small * side_of(shell, 0);  // pressure pushes along the normals of faces
     const auto exact = [&](const Vector2d& p) -> Eigen::Matrix2d { return push * ring.moments(p); };
     return {{"moments, rms",
              moments_error(shell, simulation.snapshot().fields, exact, plate_thickness, 0.5, 0.9)}};

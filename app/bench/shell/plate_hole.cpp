@@ -13,15 +13,16 @@ namespace sherd {
 namespace {
 
 constexpr double hole_outer = 3;  // radius of the computed part of the plate
-// Within this radius moments are looked at. Along the outer rim faces know nothing of the moment that loads
-// it: to coupled hinges a free side carries none.
+// Moments are compared with theory within this radius. Faces along the outer rim do not show the moment that
+// loads the rim, since coupled hinges assume that a free side carries none.
 constexpr double hole_seen = 2;
 constexpr double hole_moment = 1e-4;  // so small that the theory is linear
 
 }  // namespace
 
-// w = -r^2 / (4 (1 + nu)) + axial ln r + (-square r^2 + even + inverse / r^2) cos 2 angle, with constants for
-// which the rim bears no moment and no force, m_rr = 0 and q_r + d m_rt / (r d angle) = 0.
+// The deflection is w = -r^2 / (4 (1 + nu)) + axial ln r + (-square r^2 + even + inverse / r^2) cos(2 angle),
+// with constants for which there is no moment and no force on the rim: m_rr = 0 and q_r + d m_rt / (r d
+// angle) = 0.
 PlateHole::PlateHole(double poisson)
     : poisson(poisson),
       axial(-1 / (2 * (1 - poisson))),
@@ -33,7 +34,7 @@ Eigen::Matrix2d PlateHole::moments(const Vector2d& p) const {
     const double r2 = p.squaredNorm(), r = std::sqrt(r2);
     const double cos2 = (p.x() * p.x() - p.y() * p.y()) / r2, sin2 = 2 * p.x() * p.y() / r2;
     const double plain = -1 / (2 * (1 + poisson)), b = even / r2, c = inverse / (r2 * r2);
-    Eigen::Matrix2d second;  // derivatives of w along the radius and across it
+    Eigen::Matrix2d second;  // second derivatives of w along the radius and across it
     second(0, 0) = plain - axial / r2 + (-2 * square + 6 * c) * cos2;
     second(1, 1) = plain + axial / r2 + (2 * square - 4 * b - 6 * c) * cos2;
     second(0, 1) = second(1, 0) = (2 * square + 2 * b + 6 * c) * sin2;
@@ -43,7 +44,7 @@ Eigen::Matrix2d PlateHole::moments(const Vector2d& p) const {
            polar.transpose();
 }
 
-// Minus the gradient of the Laplacian -4 even cos 2 angle / r^2 + constant.
+// The shear force is minus the gradient of the Laplacian of w, -4 even cos(2 angle) / r^2 + constant.
 Vector2d PlateHole::shear(const Vector2d& p) const {
     const double r2 = p.squaredNorm(), r = std::sqrt(r2);
     const double cos2 = (p.x() * p.x() - p.y() * p.y()) / r2, sin2 = 2 * p.x() * p.y() / r2;

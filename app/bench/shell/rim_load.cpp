@@ -8,7 +8,7 @@
 namespace sherd {
 namespace {
 
-constexpr double on_rectangle = 1e-9;  // m
+constexpr double on_rectangle = 1e-9;  // m, largest distance from a rectangle of a point on it
 
 struct RimSide {
     double length;

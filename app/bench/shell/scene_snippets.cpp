@@ -54,7 +54,7 @@ std::string line(double r0, double z0, double r1, double z1) {
     return fmt::format("[[{}, {}], [{}, {}]]", r0, z0, r1, z1);
 }
 
-/// So many points that the polyline is a circle to the eye of the finest mesh.
+/// The polyline has so many points that even on the finest mesh its difference from a circle does not matter.
 std::string arc(double radius, double from_degrees, double to_degrees) {
     constexpr int pieces = 200;
     std::string points;

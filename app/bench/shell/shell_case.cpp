@@ -6,7 +6,8 @@
 namespace sherd {
 namespace {
 
-/// A small load that comes in one step makes small displacements, which are to be as exact.
+/// The [solver] table. Cases with a single step have small loads and small displacements, for which a smaller
+/// tolerance gives the same relative accuracy.
 std::string solver_text(const ShellCase& one, const ShellVariant& variant) {
     const std::string models =
         fmt::format("bending = \"{}\"\n{}", variant.bending,

@@ -15,7 +15,7 @@
 namespace sherd {
 namespace {
 
-/// A step of a run: its load, and the displacement of each gauge.
+/// The end of a step: load factor, and displacement of each gauge.
 struct Station {
     double load;
     std::vector<Vector3d> gauges;
@@ -27,7 +27,8 @@ Station station(const StepReport& report) {
     return one;
 }
 
-/// Steps to the end, or to the first step that cannot be solved. Returns what was on the way.
+/// Makes steps to the end of the run, or to the first step that cannot be solved. Returns a station for each
+/// step, and sets the iterations, the results of ShellCase::measure and the failure of `run`.
 std::vector<Station> stations(const ShellCase& one, const Scene& scene, Simulation& simulation,
                               ShellRun& run) {
     std::vector<Station> all;
@@ -57,13 +58,13 @@ void add_references(const ShellCase& one, const Scene& scene, const std::vector<
     }
 }
 
-/// The parabola through three neighbouring stations has its peak at the limit point: its load, and the
-/// displacement along x of the first gauge there.
+/// Returns the load factor at a limit point, and the displacement along x of the first gauge there. The limit
+/// point is the peak of the parabola through station `i` and its two neighbours.
 std::pair<double, double> limit_near(const std::vector<Station>& path, std::size_t i) {
     if (i == 0 || i + 1 >= path.size()) return {path[i].load, path[i].gauges[0].x()};
     const double before = path[i - 1].load, here = path[i].load, after = path[i + 1].load;
     const double bend = before - 2 * here + after;
-    const double shift = bend == 0 ? 0 : 0.5 * (before - after) / bend;  // shares of a step
+    const double shift = bend == 0 ? 0 : 0.5 * (before - after) / bend;  // from station i, in steps
     const Vector3d &a = path[i - 1].gauges[0], &b = path[i].gauges[0], &c = path[i + 1].gauges[0];
     return {here - 0.25 * (before - after) * shift,
             b.x() + 0.5 * shift * (c.x() - a.x()) + 0.5 * shift * shift * (a.x() - 2 * b.x() + c.x())};

@@ -22,7 +22,8 @@ ShellCase end_shear() {
             .edges = {0.5, 0.25, 0.125}};
 }
 
-/// Half of the width: a whole strip under moments of constant direction buckles sideways before it is a ring.
+/// Only half of the width is computed, up to a plane of symmetry: a whole strip under moments of constant
+/// direction would buckle sideways before it is bent to a ring.
 ShellCase end_moment() {
     return {.name = "cantilever, end moment",
             .sheet = rectangle(12, 0.5) + material(0.1, 1.2e6, 0) + clamp_at_y_axis +

@@ -36,7 +36,7 @@ namespace {
 struct CheckOptions {
     SceneOptions scene;
     bool no_try = false;
-    std::filesystem::path faults = {};  ///< PLY file of the faces concerned; empty: none
+    std::filesystem::path faults = {};  ///< PLY file in which faulty faces are coloured; empty: none
     bool force = false;
 };
 
@@ -142,7 +142,7 @@ void print_cost(const Scene& scene, BuiltScene built, const CheckOptions& option
     warn_of_cost(scene, cost, warnings);
 }
 
-/// Throws Error if obstacles will squeeze a sheet, and adds a warning if they may.
+/// Throws Error if obstacles will squeeze a sheet, and adds a warning if they might.
 void require_room_between(const Scene& scene, const BuiltScene& built, std::vector<std::string>& warnings) {
     const SqueezedSheets squeezed =
         squeezed_sheets(scene, built.inputs, built.options.stepper.contact.obstacles);

@@ -58,7 +58,7 @@ FaultKind kind_of(TriangleFault fault) {
     return fault == TriangleFault::repeated ? FaultKind::repeated : FaultKind::non_manifold;
 }
 
-/// Adds a sheet whose mesh was refused.
+/// Adds a sheet whose mesh make_sheet() has refused, as it is in its file, with its faults.
 void add_refused(const SheetSpec& sheet, Picture& picture) {
     const auto* spec = std::get_if<MeshFile>(&sheet.mesh);
     if (!spec) return picture.undrawn.push_back(sheet.name);
@@ -78,7 +78,7 @@ Picture picture_of(const Scene& scene) {
     Picture picture;
     std::vector<SheetInput> inputs;
     std::vector<std::size_t> first_face;
-    std::vector<std::string> told;  // not printed: `check` does so
+    std::vector<std::string> told;  // warnings, which `check` prints
     for (const SheetSpec& sheet : scene.sheets) try {
             inputs.push_back(make_sheet(sheet, scene, told));
             first_face.push_back(picture.triangles.size());
@@ -103,7 +103,7 @@ TriangleSheet painted(const Picture& picture) {
         for (const FaultColour& known : colours)
             if (picture.faults[t] == known.kind) colour = known.colour;
         const auto first = static_cast<std::int32_t>(sheet.points.size());
-        // Programs that ignore the colours of faces show those of points, so no points are shared.
+        // Programs that ignore the colours of faces show the colours of points, so triangles share no points.
         for (const Vector3d& corner : picture.triangles[t]) {
             sheet.points.push_back(corner);
             sheet.look.vertex_colour.push_back(colour);

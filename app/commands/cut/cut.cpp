@@ -106,8 +106,8 @@ OutputLock checked_output(const CutOptions& options) {
     return lock;
 }
 
-/// Edges of the mesh to open. With --line they are inserted, and the changes of the mesh are reported in
-/// `told`.
+/// Edges of the mesh to open. With --line, inserts them into the mesh first, and reports the changes of the
+/// mesh in `told`.
 std::vector<Edge> edges_to_open(const CutOptions& options, Mesh& mesh, Json& told) {
     if (options.line.empty()) return read_edge_list(options.edges, mesh);
     LineCut lines(mesh, options.keep_vertices);

@@ -37,11 +37,12 @@ std::vector<SheetInfo> sheets_of(const RecordingHeader& header, const Snapshot& 
     return sheets;
 }
 
-/// The largest strain; none without faces. A NaN counts as the largest: the frame is invalid.
+/// The largest membrane strain, and its face; none without faces. A NaN counts as the largest strain, since
+/// it makes the frame invalid.
 std::optional<MembraneStrainInfo> largest_membrane_strain(const Snapshot& frame) {
     std::optional<MembraneStrainInfo> largest;
     for (std::size_t f = 0; f < frame.faces.size(); ++f) {
-        // Strain does not depend on the elasticity.
+        // The strain does not depend on the elasticity, which is zero here.
         const MembraneTriangle triangle =
             membrane_triangle(columns(frame.rest.position, frame.rest.faces[f]), Matrix3d::Zero());
         const double strain =
@@ -73,7 +74,7 @@ void add_steps(RunInfo& info, const std::vector<StepReport>& steps) {
     }
 }
 
-/// Replaces `largest` by a principal value if it is the first, or larger in magnitude.
+/// Replaces `largest` by the principal value of a strain if `largest` is none, or smaller in magnitude.
 void raise_magnitude(std::optional<double>& largest, const Vector3d& strain) {
     const double value = principal_strain(strain);
     if (!largest || std::abs(value) > std::abs(*largest)) largest = value;
@@ -96,7 +97,7 @@ void add_gauges(RunInfo& info, const RecordingHeader& header, const std::vector<
     }
 }
 
-/// Adds the peaks of fields in all frames that have them.
+/// Adds the largest stress and the largest curvature in all frames, if they have these fields.
 void add_fields(RunInfo& info, const Recording& recording) {
     const auto raise = [](std::optional<FieldPeakInfo>& largest, const FieldPeak& peak, double time) {
         if (!largest || std::abs(peak.value) > std::abs(largest->peak.value)) largest = {peak, time};
@@ -241,9 +242,9 @@ void add_mode_list(std::string& text, const RunInfo& info) {
 struct InfoOptions {
     std::filesystem::path recording;
     bool json = false, measures = false;
-    double over = 0;  ///< kg
-    std::string about;
-    std::vector<double> radii;       ///< m
+    double over = 0;                 ///< kg; only heavier fragments are counted
+    std::string about;               ///< centre of cracks: X,Y,Z or an obstacle; empty: the first crack
+    std::vector<double> radii;       ///< m, of circles on which radial cracks are counted
     std::filesystem::path distance;  ///< another recording for fragment_distance(); empty: none
 };
 

@@ -25,14 +25,14 @@ struct FieldPeakInfo {
     double time = 0;  ///< s
 };
 
-/// Readings of a gauge: at the last step, and the largest of all steps. For stress this is the largest
-/// principal stress of both surfaces, for curvature and strain the principal value of largest magnitude,
-/// signed.
+/// Readings of a gauge in the last step, and its largest readings in all steps.
 struct GaugeInfo {
     RecordedGauge gauge;
     GaugeReading last = {};
-    double displacement = 0;                                                  ///< m, magnitude
-    std::optional<double> stress = {}, curvature = {}, membrane_strain = {};  ///< Pa, 1/m, 1
+    double displacement = 0;  ///< m, largest magnitude
+    /// Largest principal stress at the two surfaces, Pa; principal curvature (1/m) and principal membrane
+    /// strain of largest magnitude, signed. None if the gauge does not record them.
+    std::optional<double> stress = {}, curvature = {}, membrane_strain = {};
 };
 
 struct SheetInfo {
@@ -48,8 +48,9 @@ struct RunInfo {
     std::int64_t seed = 0;
     std::string time_unit = "s";  ///< RecordingHeader::time_unit
     LoadHistory load;             ///< factor of all loads
-    double wall_seconds = 0;
-    std::size_t frames = 0, vertices = 0, faces = 0;  ///< in the last frame, or at rest without one
+    double wall_seconds = 0;      ///< s
+    /// Numbers of frames, and of vertices and faces in the last frame or, if there is no frame, at rest.
+    std::size_t frames = 0, vertices = 0, faces = 0;
     std::size_t failures = 0, openings = 0, splits = 0, vertex_insertions = 0, face_insertions = 0;
     std::vector<SheetInfo> sheets;                      ///< none before the first frame
     std::vector<FragmentInfo> fragments;                ///< by id; none before the first frame
@@ -57,14 +58,14 @@ struct RunInfo {
     std::optional<FieldPeakInfo> stress, curvature;  ///< largest_stress(), largest_curvature(), if recorded
     std::vector<RecordedSupport> supports;           ///< in the order of last->reactions
     std::vector<GaugeInfo> gauges;
-    std::vector<TipInfo> tips;           ///< tips of cracks by toughness
+    std::vector<TipInfo> tips;           ///< tips of cracks that grow by toughness
     std::vector<RecordedMode> modes;     ///< modes of vibration, if the frames show them
     std::optional<StepReport> last;      ///< the last step, if there was one
     bool has_balance = true;             ///< Recording::has_balance()
     std::int64_t newton_iterations = 0;  ///< sum over all steps
-    std::size_t capped_steps = 0;
+    std::size_t capped_steps = 0;        ///< number of steps that reached the limit of stages
     Index halvings = 0;
-    Index most_stages = 0;  ///< largest number in one step
+    Index most_stages = 0;  ///< largest number of stages of breaking in a step
     StepReport peaks;       ///< only the peaks are set: the largest of all steps
 };
 

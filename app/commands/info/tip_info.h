@@ -12,16 +12,16 @@ namespace sherd {
 
 /// History of a crack tip.
 struct TipInfo {
-    TipRecord first, last;
-    double fastest = 0;  ///< m/s
-    double largest = 0;  ///< J/m^2, energy released
+    TipRecord first, last;  ///< first and last record of the tip
+    double fastest = 0;     ///< m/s, largest speed
+    double largest = 0;     ///< J/m^2, largest release rate
 };
 
-/// Histories of all tips in a list of records, by number.
+/// Histories of all tips in a list of records, ordered by the number of the tip.
 std::vector<TipInfo> tips_of(std::span<const TipRecord> records);
 
-/// Appends a table with a row for each tip; if there are many, only for those with the largest release rate,
-/// and the number of the others. Appends nothing without tips.
+/// Appends a table with a row for each tip. If there are many tips, the table has only the tips with the
+/// largest release rates, and the number of the other tips. Appends nothing if there are no tips.
 void add_tip_table(std::string& text, std::vector<TipInfo> tips, const std::string& time_unit);
 
 /// The histories as a JSON array.

@@ -15,14 +15,14 @@ namespace sherd {
 /// Vibration of the sheets of a scene about the state in which they start.
 struct SceneModes {
     Vibration vibration;
-    std::vector<double> out_of_plane;   ///< share of each mode's energy along the sheets' normals, 0 to 1
+    std::vector<double> out_of_plane;   ///< share_along_normals() of each mode, 0 to 1
     std::vector<std::string> left_out;  ///< parts of the scene that the modes neglect, in words
     std::size_t vertices = 0, faces = 0;
 };
 
-/// The `count` slowest modes, or as many as the mesh has. simulation: of the scene, before its first step.
-/// energies: those of the simulation. Throws Error (input), naming the scene, if its supports leave no
-/// coordinate that can vibrate.
+/// The `count` modes of lowest frequency, or as many as the mesh has. simulation: simulation of the scene
+/// before its first step; energies: options of its energies. Throws Error (input), naming the scene, if its
+/// supports leave no coordinate that can vibrate.
 SceneModes scene_modes(const Scene& scene, const Simulation& simulation, const ShellEnergyOptions& energies,
                        Index count);
 
@@ -34,7 +34,7 @@ Json modes_json(const Scene& scene, const SceneModes& modes);
 
 /// Frames of modes in a recording.
 struct ModeFrames {
-    int a_mode = 24;          ///< frames per mode, for one period
+    int a_mode = 24;          ///< number of frames per mode, for one period
     double amplitude = 0.05;  ///< largest displacement of a vertex, as a share of the sheets' size
 };
 

@@ -31,7 +31,7 @@ std::vector<RecordedMode> recorded(const Vibration& vibration) {
     return modes;
 }
 
-/// Largest displacement of a vertex, m.
+/// Largest displacement of a vertex in the recording, m: this share of the size of the sheets.
 double shown_amplitude(const Positions& start, double share) {
     return share * (start.rowwise().maxCoeff() - start.rowwise().minCoeff()).norm();
 }
@@ -78,7 +78,8 @@ bool record_modes(RecordingOutput output, const Scene& scene, const Simulation& 
     Progress progress(static_cast<double>(all.size()));
     for (std::size_t i = 0; i < all.size(); ++i) {
         progress.show(static_cast<double>(i), fmt::format("mode {} of {}", i + 1, all.size()));
-        // The last mode has a frame at the end of its period; for the others the next mode begins there.
+        // The last mode has a frame at the end of its period; the period of each other mode ends with the
+        // first frame of the next mode.
         const int last = frames.a_mode - (i + 1 < all.size() ? 1 : 0);
         for (int frame = 0; frame <= last; ++frame) {
             if (interrupted()) {

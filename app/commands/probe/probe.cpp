@@ -41,7 +41,7 @@ void require_same_faces(const PolygonSoup& rest, const PolygonSoup& deformed) {
         corners_of(rest, face), rest.file.string(), corners_of(deformed, face), deformed.file.string()));
 }
 
-/// Sums one of the energies over its elements.
+/// Sums an energy and its forces over its elements. Throws Error (input) if they are not finite.
 template <class Elements>
 ProbedEnergy sum(const std::string& name, const Elements& elements, const Positions& x) {
     ProbedEnergy total{name, 0, Positions::Zero(3, x.cols())};
@@ -62,7 +62,7 @@ ProbedEnergy sum(const std::string& name, const Elements& elements, const Positi
     return total;
 }
 
-/// An energy whose elements depend on their neighbours. Degenerate hinges are refused by sum() before.
+/// Evaluates an energy whose elements depend on their neighbours, after sum() has refused degenerate hinges.
 ProbedEnergy whole(const std::string& name, const Energy& energy, const Positions& x) {
     ProbedEnergy total{name, energy.value(x), Positions::Zero(3, x.cols())};
     energy.add_gradient(x, total.force);

@@ -18,14 +18,14 @@ namespace sherd {
 struct MaterialFile {
     Material material;
     MaterialAxis axis;                        ///< axis of a directional material
-    std::optional<double> bending_stiffness;  ///< lambda of every hinge instead of the material's, N m
+    std::optional<double> bending_stiffness;  ///< N m, lambda of all hinges; none: that of the material
 };
 
 /// Reads the keys of a scene's [material] table at the top level of a TOML file, and `bending_stiffness`.
 /// Throws Error as read_scene does, with a line for each mistake.
 MaterialFile read_material_file(const std::filesystem::path& file);
 
-/// Two shapes of one sheet. The deformed one has positions of vertices only, so it may be distorted
+/// Two shapes of one sheet. The deformed shape is given by positions of vertices only, so it may be distorted
 /// arbitrarily.
 struct ProbeShapes {
     Mesh rest;
@@ -33,23 +33,23 @@ struct ProbeShapes {
     Positions deformed;              ///< [3, V] m, for the V vertices of the rest shape's file
 };
 
-/// Reads both shapes (.obj, .ply, .off, .stl). Throws Error like read_mesh, and if the files' lists of faces
-/// differ, naming the first face that does.
+/// Reads the two shapes (.obj, .ply, .off, .stl). Throws Error like read_mesh(), and if the lists of faces of
+/// the two files differ, naming the first face that differs.
 ProbeShapes read_probe_shapes(const std::filesystem::path& rest, const std::filesystem::path& deformed,
                               std::vector<std::string>& warnings);
 
 struct ProbedEnergy {
     std::string name;
     double energy = 0;  ///< J
-    Positions force;    ///< -dE/dx, N, [3, V]; zero at vertices that no face uses
+    Positions force;    ///< [3, V] N, -dE/dx; zero at vertices that no face uses
 };
 
-/// A hinge; see core/hinge.h for the order of its vertices, the angles and the strain.
+/// A hinge; see core/elements/hinge.h for the order of its vertices, the angles and the strain.
 struct ProbedHinge {
     std::array<Index, 4> vertices;
     double angle = 0, rest_angle = 0;  ///< rad
     double strain = 0;                 ///< 1/m
-    double stiffness = 0;              ///< lambda, N m
+    double stiffness = 0;              ///< N m, lambda
 };
 
 struct ProbedFace {
@@ -62,11 +62,11 @@ struct Probe {
     std::vector<ProbedEnergy> energies;
     std::vector<ProbedHinge> hinges;
     std::vector<ProbedFace> faces;
-    FaceFields fields;  ///< curvature by coupled hinges, stress by the material's constants
+    FaceFields fields;  ///< with curvature of coupled hinges, and stress by the constants of the material
 };
 
-/// Evaluates all models. Throws Error (input) like material_axes, and, naming the vertices of a hinge or
-/// face, if an energy or force is not a finite number.
+/// Evaluates all models. Throws Error (input) like material_axes(), and if an energy or force is not a finite
+/// number, naming the vertices of the hinge or face.
 Probe probe(const ProbeShapes& shapes, const MaterialFile& material, std::vector<std::string>& warnings);
 
 /// JSON object with the keys of docs/commands.md.

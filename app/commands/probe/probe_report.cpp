@@ -20,7 +20,7 @@
 namespace sherd {
 namespace {
 
-/// Index of the first element of largest strain; none without elements.
+/// Index of the first element with the largest magnitude of strain; none without elements.
 template <class Element>
 std::optional<std::size_t> most_strained(const std::vector<Element>& elements) {
     const auto less = [](const Element& a, const Element& b) {

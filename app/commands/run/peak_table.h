@@ -17,20 +17,21 @@ struct PeakRow {
     std::vector<double> peaks;  ///< peaks of all hinges, ascending
 };
 
-/// Rows for each sheet of a run in which nothing failed, in the scene's order: by the measure of the sheet's
-/// strength, divided by the factor of scatter, maps, scores and directions on the strength, so that a peak
-/// exceeds a threshold exactly if the hinge would have failed with this threshold. A sheet that cannot fail
-/// has rows by stress and by strain.
+/// Returns rows for the sheets of a run in which nothing failed, in the scene's order. A sheet that can fail
+/// has a row by the measure of its strength. The peak of a hinge is divided by the factor by which scatter,
+/// maps, scores and directions change its strength, so that the peak exceeds a threshold exactly if the hinge
+/// would have failed with this threshold as the strength of the sheet. A sheet that cannot fail has a row by
+/// stress and a row by strain.
 std::vector<PeakRow> peak_rows(const Scene& scene, const Simulation& simulation);
 
-/// The smallest peak that this share of the peaks does not exceed. peaks: ascending, at least one.
+/// The smallest peak that at least this share of the peaks does not exceed. peaks: ascending, not empty.
 double peak_quantile(std::span<const double> peaks, double share);
 
-/// Up to three thresholds of one significant digit, descending, which some hinges exceed: about one in a
-/// thousand, in a hundred, and in ten.
+/// Up to three thresholds of one significant digit, descending. Each is exceeded by some hinges: about one in
+/// a thousand, one in a hundred, one in ten. peaks: ascending, not empty.
 std::vector<double> round_thresholds(std::span<const double> peaks);
 
-/// Table of quantiles of the rows, and of the number of hinges above round thresholds.
+/// Table of quantiles of the rows, and of the number of hinges above round_thresholds().
 std::string peak_table(std::span<const PeakRow> rows);
 
 }  // namespace sherd

@@ -66,7 +66,8 @@ void add_yield(std::string& text, const RunTotals& totals, const Scene& scene) {
                     keeps ? "" : "; here it springs back"));
 }
 
-/// Number and size of the steps; steps that were halved or cut are shorter than the scene's.
+/// Number and size of the steps, "20 of at most 0.001 s": steps that were halved or cut are shorter than
+/// those of the scene.
 std::string step_words(const RunTotals& totals, const Scene& scene, const char* unit) {
     constexpr double rounding = 1e-9;
     const double whole = static_cast<double>(totals.last.step) * scene.simulation.stepper.step;
@@ -81,8 +82,8 @@ std::string load_words(const LoadHistory& load) {
     return words;
 }
 
-/// Duration, number and causes of the phases of explicit steps between implicit ones, and the number of times
-/// that explicit steps failed.
+/// Simulated duration, number and causes of the phases of explicit steps between implicit steps, and number
+/// of times that explicit steps failed.
 std::string explicit_words(const RunTotals& totals) {
     constexpr std::array<std::pair<Urgency, const char*>, 5> names{{{Urgency::strike, "strikes"},
                                                                     {Urgency::stress, "stress"},
@@ -101,8 +102,7 @@ std::string explicit_words(const RunTotals& totals) {
     return words;
 }
 
-/// Adds a row if the time scheme has increased the energy: it should only dissipate, so it does not suit the
-/// scene.
+/// Adds a row if the time scheme has increased the energy much: a suitable scheme only dissipates energy.
 void add_made_energy(std::string& text, const RunTotals& totals, const Scene& scene) {
     constexpr double much = 0.1;  // share of the largest energy
     const double made = -totals.last.lost_to_scheme;
@@ -185,9 +185,9 @@ std::optional<Checkpoint> read_last(const std::filesystem::path& file) {
     return last;
 }
 
-/// Finds the start of a run that is recorded in `file`. With --resume but no recording, or one without a
-/// frame, the run starts at its beginning, and a message says so. Throws Error (input) if, with --resume,
-/// there is an incomplete recording without a checkpoint, or a checkpoint without its recording.
+/// Finds the start of a run that is recorded in `file`. If there is no recording to resume, or a recording
+/// without a frame, the run starts at its beginning; with --resume, a message says so. With --resume, throws
+/// Error (input) on an incomplete recording without a checkpoint, and on a checkpoint without its recording.
 RunStart run_start(const std::filesystem::path& file, const RunOptions& options) {
     RunStart start{RecordingOutput(file, options.force || options.resume), {}};
     if (options.resume) start.checkpoint = read_last(file);
@@ -228,8 +228,8 @@ void require_whole(const std::filesystem::path& file, const Scene& scene, double
                         file.string()));
 }
 
-/// Table of the wall time of a run by task, in s and as a share of the whole. recording: s, spent on writing
-/// it; whole: s, of the run.
+/// Table of the wall time of a run by task, in s and as a share of the whole time. recording: s, time spent
+/// on writing the recording; whole: s, time of the run.
 std::string time_table(const TimeSpent& spent, double recording, double whole) {
     std::string table = fmt::format("{:<22}{:>10}{:>10}\n", "time spent on", "seconds", "share");
     const auto row = [&](const char* name, double seconds) {
@@ -285,8 +285,8 @@ Runner built_runner(const Scene& scene, int threads) {
     return Runner(scene, std::move(built));
 }
 
-/// The scene with which a run is resumed: with the frame interval of the checkpoint, unless it is set
-/// explicitly.
+/// The scene with which a run continues from a checkpoint: with the frame interval of the checkpoint, unless
+/// the scene sets output.every.
 Scene scene_from(Scene scene, const std::optional<Checkpoint>& checkpoint) {
     if (checkpoint && !scene.settings.contains("output.every"))
         scene.frame_interval = checkpoint->frame_interval;

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 constexpr int poll_interval = 50;  // ms, longest delay until an interruption is noticed
 
-/// The common part of all recordings' names: the name for a scene without variants.
+/// The path from which part_file() makes the recordings' names: the recording of the scene without variants.
 fs::path common_output(const Scene& first, const RunOptions& options) {
     if (options.output.extension() == ".h5") return options.output;
     return options.output / fmt::format("{}.h5", first.file.stem().string());
@@ -65,7 +65,7 @@ class VariantRunner {
 
     /// Returns the names of the failed variants, after all have ended.
     std::vector<std::string> run();
-    /// Whether an interruption has ended the variants.
+    /// Whether an interruption has ended the runs.
     bool stopped = false;
     /// Number of variants that have not been run to their end.
     std::size_t left() const { return variants.size() - complete; }

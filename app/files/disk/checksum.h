@@ -7,7 +7,8 @@
 
 namespace sherd {
 
-/// FNV-1a, 64 bits: tells whether two texts are equal, unless one is forged. sum: that of the preceding text.
+/// Returns the 64-bit FNV-1a hash of `text`: texts with equal hashes are equal, unless one of them is forged.
+/// sum: hash of a text before `text`; the result is then the hash of both texts together.
 constexpr std::uint64_t checksum(std::string_view text, std::uint64_t sum = 14695981039346656037u) {
     for (const char byte : text) sum = (sum ^ static_cast<unsigned char>(byte)) * 1099511628211u;
     return sum;

@@ -107,7 +107,7 @@ void sync_folder_of(const std::filesystem::path& file) {
     if (folder.empty()) folder = ".";
     const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (opened >= 0 && ::fsync(opened) == 0) return;
-    if (errno == EINVAL || errno == EACCES) return;  // file system or folder without fsync
+    if (errno == EINVAL || errno == EACCES) return;  // the file system or the folder does not allow fsync()
     throw Error(fmt::format("cannot write to the folder '{}': {}", folder.string(), std::strerror(errno)),
                 Fault::run);
 }

@@ -11,7 +11,7 @@
 
 namespace sherd {
 
-/// An open file descriptor, closed at the end of its scope.
+/// Owner of a file descriptor, which is closed at the end of the owner's scope.
 class Descriptor {
   public:
     explicit Descriptor(int number = -1) : number(number) {}
@@ -26,13 +26,13 @@ class Descriptor {
     operator int() const { return number; }
 
   private:
-    int number;  ///< negative: not open
+    int number;  ///< file descriptor; negative if none is open
 };
 
-/// An open file on disk. Members throw Error (run) with its name and the reason.
+/// An open file on disk. On failure members throw Error (run) with the file's name and the reason.
 class DiskFile {
   public:
-    /// flags: those of open(2).
+    /// Opens the file. flags: as for open(2).
     DiskFile(std::filesystem::path file, int flags);
 
     std::uint64_t size() const;
@@ -40,14 +40,15 @@ class DiskFile {
     void read(std::uint64_t offset, std::span<std::byte> bytes) const;
     void write(std::uint64_t offset, std::span<const std::byte> bytes);
     void resize(std::uint64_t size);
-    /// Returns when the content is on the disk.
+    /// Writes the content to the disk; returns when it is there.
     void sync();
-    /// Whether the path still refers to this file.
+    /// Whether the path still refers to the open file.
     bool is_in_place() const;
 
-    /// Locks the file as HDF5 does, until it is closed or unlock(): shared by readers, exclusive for a
-    /// writer. Returns false if others hold the lock, also after `patience`; true if the file system has no
-    /// locks.
+    /// Both functions lock the file with flock(2), as HDF5 does, until unlock() or until the file is closed.
+    /// Several readers can have the shared lock; a writer's exclusive lock excludes all other locks. The
+    /// functions wait up to `patience` for other programs' locks, and return whether the file is locked; they
+    /// return true, too, if the file system has no locks.
     bool lock_shared(std::chrono::milliseconds patience = {}) const;
     bool lock_exclusive(std::chrono::milliseconds patience = {}) const;
     void unlock() const;
@@ -62,7 +63,8 @@ class DiskFile {
     Descriptor opened;
 };
 
-/// Returns when the directory entries of the file's folder are on the disk. Throws Error (run).
+/// Writes the directory entries of the file's folder to the disk, and returns when they are there. Does
+/// nothing if the file system or the folder does not allow this. Throws Error (run) if writing fails.
 void sync_folder_of(const std::filesystem::path& file);
 
 }  // namespace sherd

@@ -24,9 +24,10 @@ using Bytes = std::vector<std::byte>;
 
 constexpr std::array<char, 8> magic{'S', 'h', 'e', 'r', 'd', 'J', '1', '\n'};
 constexpr std::size_t number_size = sizeof(std::uint64_t);
+// Parts of a journal: head, entries, checksum of all bytes before it.
 constexpr std::size_t head_size = magic.size() + 2 * number_size;  // magic, file size, number of blocks
 constexpr std::size_t entry_size = 2 * number_size + block_size;   // number, old content's checksum, content
-constexpr std::size_t least_size = head_size + number_size;        // header, checksum of all
+constexpr std::size_t least_size = head_size + number_size;        // head and checksum, without entries
 
 fs::path journal_of(const fs::path& file) {
     return file.string() + ".journal";
@@ -47,7 +48,7 @@ std::uint64_t number_at(std::span<const std::byte> bytes, std::size_t offset) {
     return number;
 }
 
-/// Length of the part of a block that lies within the file, bytes.
+/// Returns the number of bytes of block `number` that lie within a file of `end` bytes.
 std::size_t length_of(std::uint64_t number, std::uint64_t end) {
     const std::uint64_t start = number * block_size;
     return end <= start ? 0 : std::min<std::uint64_t>(block_size, end - start);
@@ -87,7 +88,8 @@ bool is_complete(std::span<const std::byte> bytes) {
            checksum_of_bytes(bytes.first(bytes.size() - number_size));
 }
 
-/// Decodes complete bytes; none if they do not match the file.
+/// Decodes the bytes of a journal; is_complete(bytes) must hold. Returns none if the journal does not match
+/// `file`.
 std::optional<Journal> decoded(std::span<const std::byte> bytes, const DiskFile& file) {
     Journal journal{.end = number_at(bytes, magic.size()), .blocks = {}};
     if (file.size() < journal.end) return std::nullopt;
@@ -102,14 +104,14 @@ std::optional<Journal> decoded(std::span<const std::byte> bytes, const DiskFile&
     return journal;
 }
 
-/// Returns the content of a file; empty if it does not exist.
+/// Returns the content of a file, or no bytes if the file does not exist.
 Bytes content_of(const fs::path& file) try {
     const DiskFile opened(file, O_RDONLY);
     Bytes bytes(opened.size());
     opened.read(0, bytes);
     return bytes;
 } catch (const Error&) {
-    std::error_code not_a_name;  // for example a name that is too long
+    std::error_code not_a_name;  // an error counts as a missing file, for example if the name is too long
     if (fs::exists(file, not_a_name)) throw;
     return {};
 }
@@ -122,7 +124,7 @@ bool is_applied(const Journal& journal, const DiskFile& file) {
     });
 }
 
-/// Message on the change that is to be made to a file, or "".
+/// Returns a message on what apply() will change in the file, or "" if nothing.
 std::string words_of(const Journal& journal, const DiskFile& file) {
     const std::string left = fmt::format("'{}' was left in the middle of a change, ", file.path().string());
     if (!is_applied(journal, file)) return left + "which is complete now";
@@ -184,7 +186,7 @@ bool has_journal(const fs::path& file) {
 }
 
 void apply(const Journal& journal, DiskFile& file) {
-    Bytes together;  // consecutive blocks, from `first` on
+    Bytes together;  // content of consecutive blocks, to be written at the offset `first`
     std::uint64_t first = 0;
     for (const auto& [number, block] : journal.blocks) {
         if (number * block_size != first + together.size()) {
@@ -204,7 +206,7 @@ std::string recover(const fs::path& file) {
         const OutputLock lock(file);
         return improve_locked(file);
     } catch (const Error&) {
-        return "";  // another program writes the file, or it is read-only
+        return "";  // another program writes the file, or the file is read-only
     }
 }
 

@@ -15,7 +15,7 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-constexpr auto patience = 2s;  // longest wait for other writers, and for readers at the end
+constexpr auto patience = 2s;  // longest wait for locks of other programs
 
 }  // namespace
 
@@ -39,7 +39,7 @@ JournaledFile::~JournaledFile() {
         disk.sync();
         remove_journal(disk.path());
     } catch (const Error&) {
-        return;  // the journal stays, for the next program that opens the file
+        return;  // the journal stays, and the next program that opens the file applies it
     }
 }
 
@@ -122,7 +122,8 @@ void JournaledFile::require_undisturbed() const {
 void JournaledFile::store() {
     Journal journal{.end = end, .blocks = waiting};
     for (const auto& [number, content] : changed) journal.blocks[number] = content;
-    // The last block of the file before the change is partly in the journal, partly in the tail.
+    // The file's last block before the change may be in the journal; its bytes beyond `stored` are in the
+    // tail. Copies them into the journal's block.
     if (const auto last = journal.blocks.find(block_of(stored)); last != journal.blocks.end()) {
         const std::size_t inside = stored % block_size;
         std::copy_n(tail.begin(), std::min(tail.size(), block_size - inside),

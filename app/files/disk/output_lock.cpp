@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t longest_command = 200;  // characters in the lock file
 constexpr const char* marker = "written by ";
 constexpr auto pause = std::chrono::milliseconds(10);
-constexpr int most_pauses = 100;  // longest wait for the text of a program that has taken the lock
+constexpr int most_pauses = 100;  // longest wait until the owner of a lock has written its text
 
 /// Replaces control characters, which a terminal would not show or would obey, by question marks.
 std::string printable(std::string text) {
@@ -63,7 +63,8 @@ struct LockFile {
     bool created;
 };
 
-/// Opens or creates a lock file; without a descriptor in the rare case that it was removed meanwhile.
+/// Opens or creates `file`, the lock file of `output`. Returns no descriptor in the rare case that another
+/// program removes the file between both attempts.
 LockFile open_lock_file(const fs::path& file, const fs::path& output) {
     constexpr int flags = O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK;
     Descriptor created(open(file.c_str(), O_RDWR | O_CREAT | O_EXCL | flags, 0666));
@@ -91,11 +92,12 @@ std::string text_of(const Descriptor& descriptor) {
 
 void write_introduction(const Descriptor& descriptor) {
     const std::string text = introduction();
-    // On a full disk the lock is held without a text, and others' messages name no program.
+    // On a full disk the lock file stays empty; the lock is held, but messages of other programs cannot name
+    // this program.
     if (pwrite(descriptor, text.data(), text.size(), 0) < 0) return;
 }
 
-/// Whether the path still refers to the open file: the last owner of the lock may have removed it.
+/// Whether the path still refers to the open file, which the last owner of the lock may have removed.
 bool is_at(const Descriptor& descriptor, const fs::path& file) {
     struct stat opened {
     }, named{};
@@ -118,8 +120,8 @@ Grip try_lock(const Descriptor& descriptor, const fs::path& file) {
                             output.string(), printable(who), advice));
 }
 
-/// Removes the lock file of a program that was killed. Throws Error (input) if that fails, or if it is no
-/// lock file.
+/// Removes the lock file of a program that was killed. text: content of the file. Throws Error (input) if the
+/// removal fails, or if the text shows that the file is no lock file.
 void remove_stale(const fs::path& file, const std::string& text) {
     std::error_code reason;
     if (text.starts_with(marker)) fs::remove(file, reason);
@@ -143,7 +145,8 @@ OutputLock::~OutputLock() {
     if (held >= 0) fs::remove(file, ignored);
 }
 
-/// Returns false if another attempt may succeed.
+/// Tries once to take the lock, and returns whether it is taken. Returns false if another attempt may
+/// succeed, and throws Error if not.
 bool OutputLock::try_once() {
     LockFile lock = open_lock_file(file, target);
     if (lock.descriptor < 0) return false;

@@ -10,15 +10,16 @@ namespace sherd {
 
 /// Last committed state of a file that another program may be writing, or has left in the middle of a change:
 /// the content on the disk, overlaid with the journal. The state does not change during the lifetime of this
-/// object, unless that is longer than a writer waits for readers (JournaledFile).
+/// object, unless the object lives longer than a writer waits for readers (`longest_wait` of JournaledFile).
 class OverlaidFile : public ByteFile {
   public:
-    /// Waits up to `patience` for a writer that has locked the file. Throws Error (run).
+    /// Opens the file, and waits up to `patience` while a writer has locked it. Throws Error (run) if the
+    /// file is still locked then, or cannot be opened or read.
     OverlaidFile(const std::filesystem::path& file, std::chrono::milliseconds patience);
 
     std::uint64_t size() const override;
     void read(std::uint64_t offset, std::span<std::byte> bytes) const override;
-    /// Both members throw Error (run): the file is read-only.
+    /// write() and resize() throw Error (run), since the file is read-only.
     void write(std::uint64_t offset, std::span<const std::byte> bytes) override;
     void resize(std::uint64_t size) override;
 

@@ -55,7 +55,7 @@ void PendingFile::publish(bool replace) {
     const char* from = temporary.c_str();
     int result = ::renameat2(AT_FDCWD, from, AT_FDCWD, target.c_str(), replace ? 0 : RENAME_NOREPLACE);
     if (result != 0 && (errno == EINVAL || errno == ENOSYS)) {
-        // A file system that cannot rename exclusively.
+        // The file system has no exclusive renaming.
         check_free(target, replace);
         result = std::rename(from, target.c_str());
     }
@@ -72,7 +72,7 @@ void PendingFile::publish_durably() {
 
 void check_free(const std::filesystem::path& file, bool force,
                 const std::vector<std::filesystem::path>& read) {
-    std::error_code unreadable;  // reported when the file is created
+    std::error_code unreadable;  // errors are reported when the file is created
     for (const std::filesystem::path& input : read)
         if (std::filesystem::equivalent(file, input, unreadable))
             throw Error(fmt::format("'{}' is read by this command and would be lost; name another file",

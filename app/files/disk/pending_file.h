@@ -19,44 +19,49 @@ namespace sherd {
 /// removed if it never is.
 class PendingFile {
   public:
-    /// Creates an empty file. lock: that of the file, which must outlive this object. Throws Error of kind
-    /// `fault` if it cannot be created.
+    /// Creates an empty file. lock: lock of the output that the file is to become; it must outlive this
+    /// object. Throws Error of kind `fault` if the file cannot be created, and Error (run) if the disk is
+    /// full.
     PendingFile(const OutputLock& lock, Fault fault);
-    /// Creates one of several files of an output whose lock is `whole`; the file gets its own lock, too.
-    /// Throws Error (input) if another program holds that.
+    /// Creates an empty file that is to become `target`, one of several files of an output. whole: lock of
+    /// the output. If `target` is not the output itself, this object also takes a lock of `target`; throws
+    /// Error (input) if another program holds that lock. Throws as the first constructor if the file cannot
+    /// be created.
     PendingFile(std::filesystem::path target, Fault fault, const OutputLock& whole);
     ~PendingFile();
     PendingFile(const PendingFile&) = delete;
     PendingFile& operator=(const PendingFile&) = delete;
 
     const std::filesystem::path& path() const { return temporary; }
-    /// Replaces the content. Throws Error (run) if the disk is full. size: bytes, for that message; 0:
-    /// unknown.
+    /// Replaces the content by what `fill` writes. Throws Error (run) if the disk is full. size: number of
+    /// bytes for the message of this error; 0 if unknown.
     void write(const std::function<void(std::ostream&)>& fill, std::size_t size = 0);
     void write(std::initializer_list<std::string_view> parts);
     void write(const std::string& text) { write({std::string_view(text)}); }
-    /// Renames the file to its target. Throws Error (input) if that exists and `replace` is false.
+    /// Renames the file to its target. Throws Error (input) if the target exists and `replace` is false,
+    /// Error (run) if renaming fails.
     void publish(bool replace);
-    /// Replaces the target when the content is on the disk: a power cut leaves the old or the new file
-    /// complete.
+    /// Writes the content to the disk and then replaces the target, so that a power cut leaves either the old
+    /// or the new file, complete.
     void publish_durably();
 
   private:
     std::filesystem::path target, temporary;
-    std::optional<OutputLock> own;
+    std::optional<OutputLock> own;  ///< lock of `target`, unless `target` is the output itself
 };
 
-/// Throws Error (input) if `file` exists and `force` is false, if it is no ordinary file, or if it is in
-/// `read`, the files that the command reads: not even `force` may replace them.
+/// Throws Error (input) if `file` exists and `force` is false. Even if `force` is true, throws if `file`
+/// exists and is no ordinary file, or is one of `read`, the files that the command reads.
 void check_free(const std::filesystem::path& file, bool force,
                 const std::vector<std::filesystem::path>& read = {});
 
-/// Throws Error (input), with `advice` on what to name instead, when a command that writes files with this
-/// `extension` was given a name that ends with that of another kind of file. Other endings are part of a
-/// name, as in run_0.5.
+/// The user has named `file` as output of a command that writes files with this `extension`. Throws Error
+/// (input) with `advice`, which says what to name instead, if `file` ends with the extension of another known
+/// kind of file. Other endings are part of the name, for example in run_0.5.
 void require_kind(const std::filesystem::path& file, std::string_view extension, std::string_view advice);
 
-/// Creates a folder unless it exists; its parent must exist. Throws Error (input).
+/// Creates a folder unless it exists; its parent must exist. Throws Error (input) if the folder cannot be
+/// created.
 void make_folder(const std::filesystem::path& folder);
 
 }  // namespace sherd

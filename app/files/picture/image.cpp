@@ -24,7 +24,7 @@ namespace {
 
 using FilePointer = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
-/// The two texels beside a texture coordinate, and the weight of the second.
+/// Indices of the two texels beside a texture coordinate, and the weight of `high` in a linear interpolation.
 struct Neighbours {
     int low, high;
     double weight;
@@ -55,14 +55,13 @@ class PngReader {
     PngReader(const PngReader&) = delete;
     PngReader& operator=(const PngReader&) = delete;
 
-    /// Returns false, with a message, if libpng fails. It then jumps back to here, so nothing here may need a
-    /// destructor.
+    /// Returns false and sets `message` if libpng fails. libpng then jumps back into this function, in which
+    /// therefore nothing may need a destructor.
     bool read(std::FILE* file) {
         if (setjmp(png_jmpbuf(png))) return false;
         png_init_io(png, file);
         png_set_user_limits(png, largest_image, largest_image);
-        // Chunks other than those of pixels are skipped: libpng would trust any length that a damaged file
-        // claims.
+        // Ancillary chunks are skipped, since libpng would trust any length that a damaged file claims.
         png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
         png_read_png(png, info,
                      PNG_TRANSFORM_EXPAND_16 | PNG_TRANSFORM_GRAY_TO_RGB | PNG_TRANSFORM_STRIP_ALPHA,
@@ -93,7 +92,8 @@ class PngWriter {
     PngWriter(const PngWriter&) = delete;
     PngWriter& operator=(const PngWriter&) = delete;
 
-    /// Returns false as PngReader::read() does. rows: red, green and blue bytes.
+    /// Returns false and sets `message` if libpng fails, like PngReader::read(). rows: for each row of the
+    /// image, the red, green and blue bytes of its pixels.
     bool write(int width, int height, png_bytepp rows) {
         if (setjmp(png_jmpbuf(png))) return false;
         png_set_write_fn(png, &bytes, append_bytes, flush_nothing);
@@ -127,7 +127,7 @@ Image image_of(PngReader& reader) {
     return image;
 }
 
-/// The first bytes of a PNG file: its signature, then length and name of the first block, width and height.
+/// The first bytes of a PNG file: its signature, length and name of the first chunk, width and height.
 using PngHead = std::array<png_byte, 24>;
 
 PngHead head_of(std::FILE* file) {
@@ -141,8 +141,8 @@ bool is_png(const PngHead& head) {
     return png_sig_cmp(head.data(), 0, 8) == 0;
 }
 
-/// Whether the file is too short for an image of this size: libpng allocates all rows before it reads the
-/// first.
+/// Whether a file of so many bytes is too short for an image of the size in `head`. Must be known before
+/// reading: libpng allocates all rows before it reads the first one.
 bool is_cut_off(const PngHead& head, std::uintmax_t bytes) {
     const std::uintmax_t width = png_get_uint_32(head.data() + 16),
                          height = png_get_uint_32(head.data() + 20);

@@ -41,8 +41,8 @@ class JpegReader {
     JpegReader(const JpegReader&) = delete;
     JpegReader& operator=(const JpegReader&) = delete;
 
-    /// Both members return false, with a message, if libjpeg fails. It then jumps back to here, so nothing
-    /// here may need a destructor.
+    /// read_head() and read_row() return false and set `message` if libjpeg fails. libjpeg then jumps back
+    /// into the function, in which therefore nothing may need a destructor.
     bool read_head(std::FILE* file) {
         if (setjmp(before)) return false;
         jpeg_stdio_src(&jpeg, file);
@@ -80,12 +80,13 @@ class JpegWriter {
     }
     ~JpegWriter() {
         jpeg_destroy_compress(&jpeg);
-        std::free(bytes);  // NOLINT(cppcoreguidelines-no-malloc): libjpeg's
+        std::free(bytes);  // NOLINT(cppcoreguidelines-no-malloc): libjpeg has allocated it
     }
     JpegWriter(const JpegWriter&) = delete;
     JpegWriter& operator=(const JpegWriter&) = delete;
 
-    /// Returns false as JpegReader::read_head() does. pixels: red, green and blue bytes.
+    /// Returns false and sets `message` if libjpeg fails, like JpegReader::read_head(). pixels: red, green
+    /// and blue byte of each pixel, row by row from the top.
     bool write(int width, int height, JSAMPLE* pixels) {
         if (setjmp(before)) return false;
         jpeg_mem_dest(&jpeg, &bytes, &size);

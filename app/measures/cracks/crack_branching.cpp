@@ -12,16 +12,16 @@
 namespace sherd {
 namespace {
 
-/// Branches at a vertex.
+/// Branches of cracks that end at a vertex.
 struct Arms {
-    std::vector<Vector3d> chords;  ///< m
-    bool are_clear = true;
+    std::vector<Vector3d> chords;  ///< m, from the vertex to a point of each branch
+    bool are_clear = true;         ///< whether all of the branches have a shape
 };
 
-/// Returns the branches at each vertex of `cracks` that is a junction.
+/// Returns the branches that end at each junction of `cracks`, by the vertex of the junction.
 std::map<Index, Arms> arms_of(const CrackGraph& cracks, const RestMesh& rest) {
     std::map<Index, Arms> arms;
-    constexpr std::size_t most = 3;  // edges of a chord
+    constexpr std::size_t most = 3;  // largest number of edges that a chord spans
     for (const CrackBranch& branch : cracks.branches) {
         const auto& [vertices, edges] = branch;
         const std::size_t reach = std::min(edges.size(), most), last = edges.size();
@@ -35,7 +35,7 @@ std::map<Index, Arms> arms_of(const CrackGraph& cracks, const RestMesh& rest) {
     return arms;
 }
 
-/// Sum over faces of normals times twice their areas, at each vertex.
+/// Returns for each vertex the sum of the normals of its faces, each times twice the face's area.
 Positions vertex_normals(const RestMesh& rest) {
     Positions normals = Positions::Zero(3, rest.position.cols());
     for (const std::array<Index, 3>& face : rest.faces) {

@@ -12,9 +12,9 @@
 namespace sherd {
 namespace {
 
-constexpr std::size_t smoothed_edges = 2;  // edges on each side
+constexpr std::size_t smoothed_edges = 2;  // on each side of an edge whose direction is smoothed
 
-/// Angle of a direction against the axis of a face, 0 to pi.
+/// Returns the angle of the direction `along` against the axis of a face, rad, 0 to pi.
 double angle_in_face(const Vector3d& along, const RestMesh& rest, std::size_t face,
                      std::span<const Vector3d> axes) {
     const Eigen::Matrix<double, 3, 2> plane = frame_axes(columns(rest.position, rest.faces[face]));
@@ -33,7 +33,7 @@ std::size_t bin_of(double angle) {
 }  // namespace
 
 Vector3d in_plane_axis(const Vector3d& normal, const Vector3d& axis) {
-    constexpr double least = 1e-3;  // smallest length of a projection that counts
+    constexpr double least = 1e-3;  // shortest projection that gives a direction
     for (const Vector3d& way : {axis, Vector3d::UnitX().eval()})
         if (const Vector3d in_plane = way - way.dot(normal) * normal; in_plane.norm() > least)
             return in_plane.normalized();

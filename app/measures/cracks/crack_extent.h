@@ -7,8 +7,8 @@ namespace sherd {
 
 /// Extent of the cracks of a frame, at rest.
 struct CrackExtent {
-    double length = 0;  ///< m, of failed edges, each once however many sides it has now
-    double area = 0;    ///< m^2, with the thickness of the adjacent faces; 0 if that is not recorded
+    double length = 0;  ///< m, length of failed edges; an edge that has opened into two counts once
+    double area = 0;    ///< m^2, length times mean thickness of both faces; 0 if none is recorded
 };
 
 CrackExtent crack_extent(const CrackGraph& cracks, const RestMesh& rest);

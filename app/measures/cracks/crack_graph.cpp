@@ -14,13 +14,13 @@ Ends ordered(Index a, Index b) {
     return a < b ? Ends{a, b} : Ends{b, a};
 }
 
-/// A face with an edge at rest, and the current vertices of that edge.
+/// A face that has an edge at rest, and the current vertices of the face's edge.
 struct Side {
     std::size_t face;
     Ends now;
 };
 
-/// The sides of each edge at rest.
+/// Returns the sides of each edge at rest, by the edge's vertices at rest in ascending order.
 std::map<Ends, std::vector<Side>> sides_of_edges(const Snapshot& frame) {
     std::map<Ends, std::vector<Side>> sides;
     for (std::size_t f = 0; f < frame.faces.size(); ++f)
@@ -59,7 +59,8 @@ class BranchWalk {
     std::vector<CrackBranch> branches() {
         for (std::size_t v = 0; v < at.size(); ++v)
             if (is_node(static_cast<Index>(v))) walk_from(static_cast<Index>(v));
-        for (const CrackedEdge& edge : cracks.edges) walk_from(edge.vertices[0]);  // closed lines are left
+        // Only closed lines without nodes are left.
+        for (const CrackedEdge& edge : cracks.edges) walk_from(edge.vertices[0]);
         return std::move(found);
     }
 
@@ -85,7 +86,7 @@ class BranchWalk {
     }
 
     const CrackGraph& cracks;
-    std::vector<std::vector<std::size_t>> at;  ///< edges of each vertex
+    std::vector<std::vector<std::size_t>> at;  ///< cracked edges at each vertex
     std::vector<char> walked;                  ///< whether each edge has been visited
     std::vector<CrackBranch> found;
 };

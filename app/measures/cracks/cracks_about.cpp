@@ -17,19 +17,20 @@ namespace {
 constexpr int ray_count = 16;
 constexpr double ray_spacing = 2 * std::numbers::pi / ray_count;
 
-/// A vertex at rest relative to the point and its normal.
+/// A vertex at rest, as seen from the point about which cracks are counted, and from the sheet's normal
+/// there.
 struct Seen {
-    double distance = 0;           ///< m, straight, from the point
-    double angle = 0, across = 0;  ///< rad about the normal, and m from it
+    double distance = 0;           ///< m, straight distance from the point
+    double angle = 0, across = 0;  ///< angle about the normal, rad; distance from the normal, m
 };
 
-/// Sheet of the point, with its cracked edges.
+/// The sheet that is nearest to the point, and its cracked edges.
 struct SheetAbout {
-    std::vector<Seen> seen;         ///< [R]; zero for vertices of other sheets
-    std::vector<char> is_of_sheet;  ///< [R] whether each vertex is in the sheet
-    std::vector<std::array<Index, 2>> edges;
-    double mean_edge = 0, farthest = 0;  ///< m
-    const std::vector<char>& on_rim;
+    std::vector<Seen> seen;                   ///< [R] each vertex at rest; zeros for vertices of other sheets
+    std::vector<char> is_of_sheet;            ///< [R] whether each vertex is in the sheet
+    std::vector<std::array<Index, 2>> edges;  ///< cracked edges of the sheet, by their vertices at rest
+    double mean_edge = 0, farthest = 0;       ///< m: mean length of `edges`, distance of the farthest vertex
+    const std::vector<char>& on_rim;          ///< CrackGraph::on_rim
 };
 
 SheetAbout sheet_about(const CrackGraph& cracks, const Snapshot& frame, const Vector3d& point) {
@@ -59,7 +60,8 @@ SheetAbout sheet_about(const CrackGraph& cracks, const Snapshot& frame, const Ve
     return sheet;
 }
 
-/// Counts disjoint paths. role_of: returns the role of a vertex of the sheet.
+/// Returns the number of disjoint_paths() along cracked edges. role_of(v): returns the role of vertex v of
+/// the sheet.
 template <class RoleOf>
 std::size_t count(const SheetAbout& sheet, RoleOf role_of) {
     std::vector<PathRole> roles(sheet.seen.size(), PathRole::none);
@@ -72,12 +74,13 @@ std::size_t radial_cracks(const SheetAbout& sheet, double radius) {
     const double half = std::min(sheet.mean_edge, radius / 2);
     return count(sheet, [&](std::size_t v) {
         const double beyond = sheet.seen[v].distance - radius;
-        if (std::abs(beyond) <= (sheet.on_rim[v] ? 0 : half)) return PathRole::between;  // paths end at rims
+        // Paths may end at a rim inside the band.
+        if (std::abs(beyond) <= (sheet.on_rim[v] ? 0 : half)) return PathRole::between;
         return beyond < 0 ? PathRole::begin : PathRole::end;
     });
 }
 
-/// Angle of a vertex from a ray, -pi to pi.
+/// Returns the angle, rad, from the ray at `angle` to a vertex, -pi to pi.
 double turn(const Seen& seen, double angle) {
     return std::remainder(seen.angle - angle, 2 * std::numbers::pi);
 }

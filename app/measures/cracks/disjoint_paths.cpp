@@ -9,7 +9,7 @@
 namespace sherd {
 namespace {
 
-/// Flow over edges of capacity 1.
+/// Flow along edges, each of which can carry one unit in one of its directions.
 class Flow {
   public:
     Flow(std::span<const std::array<Index, 2>> edges_, std::span<const PathRole> roles_)
@@ -19,9 +19,9 @@ class Flow {
                 for (const Index end : edges[e]) at[end].push_back(e);
     }
 
-    /// Adds a unit of flow; returns false if there is no path for it.
+    /// Adds a unit of flow from a `begin` to an `end` vertex; returns false if there is no path for it.
     bool augment() {
-        std::map<Index, std::optional<std::size_t>> reached;  // edge by which each vertex was reached
+        std::map<Index, std::optional<std::size_t>> reached;  // edge to each vertex; none at the beginning
         std::deque<Index> next;
         for (const auto& [vertex, incident] : at)
             if (role(vertex) == PathRole::begin) reached[vertex] = std::nullopt, next.push_back(vertex);
@@ -41,7 +41,7 @@ class Flow {
   private:
     PathRole role(Index vertex) const { return roles[static_cast<std::size_t>(vertex)]; }
     Index other(std::size_t e, Index end) const { return edges[e][0] == end ? edges[e][1] : edges[e][0]; }
-    /// Sign of the flow over an edge away from one of its ends.
+    /// Returns the sign in `units` of flow along edge `e` that leaves the vertex `from`.
     int way(std::size_t e, Index from) const { return edges[e][0] == from ? 1 : -1; }
 
     bool has_use(const std::array<Index, 2>& edge) const {
@@ -59,8 +59,8 @@ class Flow {
 
     std::span<const std::array<Index, 2>> edges;
     std::span<const PathRole> roles;
-    std::vector<int> units;  ///< for each edge: 1 from its first to its second end, -1 back, 0: none
-    std::map<Index, std::vector<std::size_t>> at;  ///< edges of each vertex
+    std::vector<int> units;  ///< flow of each edge: 1 from first to second vertex, -1 backwards, 0 none
+    std::map<Index, std::vector<std::size_t>> at;  ///< usable edges of each vertex
 };
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 namespace sherd {
 
-/// Role of a vertex for paths.
+/// Role of a vertex for disjoint_paths().
 enum class PathRole : std::uint8_t {
     none,  ///< no path visits it
     begin,
@@ -16,10 +16,10 @@ enum class PathRole : std::uint8_t {
     end
 };
 
-/// Returns the largest number of paths over `edges`, from a vertex `begin` to a vertex `end`, that share no
-/// edge: the maximum flow, by shortest augmenting paths (Edmonds and Karp 1972). It is also the smallest
-/// number of edges that separate all beginnings from all ends (Menger 1927). roles: of each vertex that an
-/// edge has.
+/// Returns the largest number of paths along `edges`, from a `begin` vertex to an `end` vertex, no two of
+/// which share an edge. The number is the maximum flow, found by shortest augmenting paths (Edmonds and Karp
+/// 1972). It is also the smallest number of edges that separate all `begin` from all `end` vertices (Menger
+/// 1927). roles: role of each vertex, by its number in `edges`.
 std::size_t disjoint_paths(std::span<const std::array<Index, 2>> edges, std::span<const PathRole> roles);
 
 }  // namespace sherd

@@ -10,7 +10,7 @@
 namespace sherd {
 namespace {
 
-/// An edge that failed, at rest.
+/// An edge that failed; its vertices and length are at rest.
 struct NewCrack {
     std::array<Index, 2> ends{};
     double length = 0;  ///< m
@@ -21,13 +21,14 @@ NewCrack at_rest(const EdgeFailure& failure, const Snapshot& frame) {
     return {{a, b}, (frame.rest.position.col(a) - frame.rest.position.col(b)).norm()};
 }
 
-/// A connected set of a step's new cracks.
+/// A connected set of edges that failed in the same step.
 struct Growth {
     double length = 0;  ///< m
     std::size_t tips = 0;
 };
 
-/// Returns the connected sets of cracks. old: vertices of earlier cracks and rims, which are no tips.
+/// Returns the connected sets of `cracks`, which failed in one step. old: vertices of earlier cracks and of
+/// rims, where no tips are.
 std::vector<Growth> growths(const std::vector<NewCrack>& cracks, const std::set<Index>& old) {
     std::map<Index, std::vector<std::size_t>> at;
     DisjointSets together(cracks.size());
@@ -49,11 +50,11 @@ std::vector<Growth> growths(const std::vector<NewCrack>& cracks, const std::set<
 void add_growth(TipStep& step, const Growth& growth) {
     step.tips += growth.tips;
     const double speed = growth.length / (static_cast<double>(growth.tips) * step.step_size);
-    step.speed += growth.length / step.step_size;  // sum over the tips, divided at the end
+    step.speed += growth.length / step.step_size;  // sum over tips; tip_speeds() divides by their number
     step.fastest = std::max(step.fastest, speed);
 }
 
-/// Replaces the speeds from lengths by the recorded ones.
+/// Replaces the tips and speeds that follow from the lengths of failed edges by the recorded ones.
 void take_records(std::map<std::int64_t, TipStep>& steps, const std::vector<TipRecord>& records) {
     for (auto& [number, step] : steps) step.tips = 0, step.speed = step.fastest = 0;
     for (const TipRecord& record : records) {

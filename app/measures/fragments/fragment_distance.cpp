@@ -33,8 +33,9 @@ double entropy(const auto& shares) {
     return sum;
 }
 
-/// Pairs of fragments with the largest common areas, in descending order; each fragment is in one pair at
-/// most.
+/// Returns pairs of fragments, one of each partition, in descending order of their common area. Each fragment
+/// is in one pair at most: pairs with larger common areas are chosen first. first, second: areas of the
+/// fragments of both partitions.
 std::vector<PartitionMatch> matches_of(const PartitionOverlap& overlap, const Shares& first,
                                        const Shares& second) {
     std::vector<PartitionMatch> pairs, matches;
@@ -51,14 +52,15 @@ std::vector<PartitionMatch> matches_of(const PartitionOverlap& overlap, const Sh
     return matches;
 }
 
-/// Calls take(fragment of `from`, fragment of `to`, share of the area of `from`) for the points of `from`;
-/// returns the largest distance of a point from `to`, m.
+/// Represents the area of each face of `from` by points. Calls take(fragment of `from` at the point, fragment
+/// of the nearest face of `to`, share of the area of `from`) for each point; returns the largest distance of
+/// a point from `to`, m.
 template <class Take>
 double overlay(const Snapshot& from, const Snapshot& to, Take take) {
     const NearestTriangle nearest(to.rest.position, to.rest.faces);
     const double area = std::accumulate(from.rest.area.begin(), from.rest.area.end(), 0.0);
-    // Points of the rule of degree 2 (Strang and Fix 1973). They lie inside a face, so that in equal meshes
-    // the nearest face is unique.
+    // Points of the quadrature rule of degree 2 (Strang and Fix 1973). They lie inside a face, so that the
+    // nearest face of an equal mesh is unique.
     const Matrix3d weights = Matrix3d::Constant(1.0 / 6) + 0.5 * Matrix3d::Identity();
     double farthest = 0;
     for (std::size_t f = 0; f < from.faces.size(); ++f) {
@@ -89,7 +91,8 @@ double PartitionDistance::matched() const {
 PartitionDistance partition_distance(const PartitionOverlap& overlap) {
     Shares first, second;
     for (const auto& [key, share] : overlap) first[key.first] += share, second[key.second] += share;
-    // Probabilities that two points lie in one fragment: in the first partition, the second, and both.
+    // Probabilities that two random points lie in the same fragment of the first partition, of the second
+    // partition, and of both partitions.
     const double in_first = squares(first), in_second = squares(second), in_both = squares(overlap);
     const double by_chance = in_first * in_second, most = (in_first + in_second) / 2;
     PartitionDistance distance;

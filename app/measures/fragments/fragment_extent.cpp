@@ -9,8 +9,8 @@ namespace {
 
 struct Area {
     double size = 0;                     ///< m^2
-    Vector3d first = Vector3d::Zero();   ///< m^3
-    Matrix3d second = Matrix3d::Zero();  ///< m^4, about the origin
+    Vector3d first = Vector3d::Zero();   ///< m^3, first moment
+    Matrix3d second = Matrix3d::Zero();  ///< m^4, second moments about the origin
     std::vector<std::size_t> faces = {};
 
     void add(std::size_t face, double area, const Matrix3d& corners) {

@@ -7,16 +7,18 @@
 
 namespace sherd {
 
-/// Length and width of a fragment at rest: its extents along the principal axes of its area, m.
+/// Length and width of a fragment at rest, m: its larger and its smaller extent along the principal axes of
+/// its area.
 struct FragmentExtent {
     double length = 0, width = 0;
 
     double aspect_ratio() const { return length / width; }
 };
 
-/// Returns the extents of each fragment by its number. The axes are those of the second moments of its area
-/// about its centroid, so that extents depend on the mesh by its outline only. Extents of a curved fragment
-/// are chords.
+/// Returns the extent of each fragment, by the fragment's number. The principal axes are those of the second
+/// moments of the fragment's area about its centroid, so that only the outline of the fragment matters, not
+/// the mesh inside it. Extents of a curved fragment are straight distances between points. A fragment without
+/// faces has the extent 0.
 std::vector<FragmentExtent> fragment_extents(const Snapshot& frame);
 
 }  // namespace sherd

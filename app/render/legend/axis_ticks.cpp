@@ -25,7 +25,7 @@ UnitPrefix prefixed(const std::string& unit, double largest) {
 }
 
 std::string tick_text(double tick) {
-    // Ticks are round numbers except for the last bit.
+    // Ticks are round numbers except for round-off, which six digits do not show.
     return fmt::format("{:.6g}", std::abs(tick) < 1e-300 ? 0.0 : tick);
 }
 

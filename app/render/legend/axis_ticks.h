@@ -8,21 +8,23 @@ namespace sherd {
 
 /// A unit with a prefix that makes numbers short.
 struct UnitPrefix {
-    double factor;  ///< from the SI unit, for numbers between 1 and 1000
+    double factor;  ///< converts from the SI unit
     std::string unit;
 };
 
-/// The SI unit with the prefix that suits the largest number; plain numbers and 1/m stay as they are.
+/// Returns the SI unit `unit` with the prefix for which `largest`, the largest value, becomes a short number.
+/// Plain numbers, whose unit is empty, and 1/m get no prefix.
 UnitPrefix prefixed(const std::string& unit, double largest);
 
-/// Round numbers that divide [low, high], about `most` at most and at least two.
+/// Returns equally spaced round numbers in [low, high]: at most about `most` of them, and at least two, of
+/// which the second may then lie beyond `high`. whole: whether all must be whole numbers.
 std::vector<double> round_ticks(double low, double high, int most, bool whole);
 
-/// Round numbers within [low, high], low > 0, on a logarithmic axis: 1, 2, 5, 10 and so on, or powers of ten
-/// alone.
+/// Returns round numbers in [low, high], low > 0, for a logarithmic axis: 1, 2, 5, 10, 20 and so on, or, if
+/// the range is wide, only powers of ten.
 std::vector<double> logarithmic_ticks(double low, double high);
 
-/// Label of a tick.
+/// Returns the label of a tick.
 std::string tick_text(double tick);
 
 }  // namespace sherd

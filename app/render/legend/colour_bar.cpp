@@ -17,23 +17,24 @@ namespace {
 
 using Eigen::Vector3f;
 
-// Sizes as shares of the picture's smaller side, unless letters would be too small to read.
+// Height of letters and length of a bar, as shares of the picture's smaller side, unless letters would be too
+// small to read.
 constexpr double letter_share = 0.026, bar_share = 0.4;
 constexpr double smallest_letter = 11;  // pixels
-constexpr int smallest_side = 220;      // pixels, smaller side of a picture with a bar
-// Smallest distance of a tick from the ends, as a share of the bar's length: texts at a smaller one would
-// touch.
+constexpr int smallest_side = 220;      // pixels, smaller side of the smallest picture with a bar
+// Smallest distance of a tick from the ends of the bar, as a share of the bar's length. The texts of closer
+// ticks would touch the texts at the ends.
 constexpr double end_gap = 0.11;
 const Vector3f ink(0.08f, 0.08f, 0.09f), paper(1, 1, 1);
 
-/// Rounds a value to so many digits.
+/// Returns a value, rounded to so many significant digits.
 double rounded(double value, int digits) {
     if (value == 0 || !std::isfinite(value)) return value;
     const double power = std::pow(10, digits - 1 - std::floor(std::log10(std::abs(value))));
     return std::round(value * power) / power;
 }
 
-/// Share of the pixel from i to i + 1 that lies between low and high.
+/// Returns the share of a pixel, which extends from i to i + 1, that lies between low and high.
 float covered(int i, double low, double high) {
     return static_cast<float>(std::max(0.0, std::min<double>(i + 1, high) - std::max<double>(i, low)));
 }
@@ -69,8 +70,8 @@ PixelBox panel(Image& image, double left, double top, double right, double botto
     return box;
 }
 
-/// Draws the tip of a bar with values beyond its end: as wide as the bar at the row `base`, a point at the
-/// row `tip`.
+/// Draws a tip, which shows that there are values beyond an end of the bar. The tip is as wide as the bar at
+/// the row `base`, and a point at the row `tip`.
 void draw_tip(Image& image, double left, double right, double base, double tip, const Vector3f& colour) {
     for (double row = std::min(base, tip); row < std::max(base, tip); ++row) {
         const double inset = (right - left) / 2 * (row + 0.5 - base) / (tip - base);
@@ -80,8 +81,8 @@ void draw_tip(Image& image, double left, double right, double base, double tip, 
 
 /// Places of the parts of a bar, in pixels.
 struct BarPlace {
-    double left, right, top, bottom;  ///< rectangle of its colours
-    double tip, stroke;               ///< height of its tips, width of lines
+    double left, right, top, bottom;  ///< rectangle of the bar's colours
+    double tip, stroke;               ///< height of the bar's tips; width of lines
 };
 
 void draw_colours(Image& image, const ColourBar& bar, const BarPlace& at) {

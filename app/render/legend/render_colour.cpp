@@ -33,7 +33,7 @@ std::vector<double> vertex_speed(const Snapshot& frame) {
     return speed;
 }
 
-/// The mean of the faces at each vertex, [V].
+/// Returns at each vertex the mean of the values of the faces around it, [V].
 std::vector<double> mean_of_faces(const Snapshot& frame, const VectorXd& values) {
     std::vector<double> sum(frame.position.cols(), 0);
     std::vector<int> faces(sum.size(), 0);
@@ -52,7 +52,7 @@ std::string name_of(RenderColour colour) {
     return names.at(static_cast<std::size_t>(colour));
 }
 
-/// Mixes each channel from a to b, t: 0 to 1.
+/// Returns the colour a for t = 0, b for t = 1, and mixtures in between.
 std::uint32_t mixed(std::uint32_t a, std::uint32_t b, double t) {
     std::uint32_t rgb = 0;
     for (const int shift : {16, 8, 0}) {
@@ -101,8 +101,8 @@ RenderScalar render_scalar(const Snapshot& frame, RenderColour colour) {
 }
 
 std::uint32_t fragment_colour(Index fragment) {
-    // Palette without black, which hides the shading: sky blue, orange, bluish green, yellow, blue,
-    // vermillion, purple.
+    // Palette of Okabe and Ito without black, which would hide the shading: sky blue, orange, bluish green,
+    // yellow, blue, vermillion, purple.
     constexpr std::array<std::uint32_t, 7> palette{0x56b4e9, 0xe69f00, 0x009e73, 0xf0e442,
                                                    0x0072b2, 0xd55e00, 0xcc79a7};
     const std::uint32_t base = palette[fragment % palette.size()];
@@ -117,7 +117,7 @@ std::uint32_t fragment_colour(Index fragment) {
 }
 
 std::uint32_t map_colour(double x) {
-    // Colours of the map, at equal distances.
+    // Colours of the map for equally spaced x.
     constexpr std::array<std::uint32_t, 10> stops{0x440154, 0x482878, 0x3e4989, 0x31688e, 0x26828e,
                                                   0x1f9e89, 0x35b779, 0x6ece58, 0xb5de2b, 0xfde725};
     const double at = std::clamp(x, 0.0, 1.0) * (stops.size() - 1);

@@ -34,7 +34,8 @@ FT_Face new_face(FT_Library library) {
     return face;
 }
 
-/// Calls `place` with the column at which each letter begins, and returns the end of the last one.
+/// Sets `words` in a line that begins at `column`. Calls place(glyph, column at which the glyph begins) for
+/// each letter, and returns the column at which the last letter ends.
 double set(FT_Face face, double column, const std::string& words,
            const std::function<void(FT_UInt glyph, double column)>& place) {
     FT_UInt before = 0;
@@ -51,7 +52,7 @@ double set(FT_Face face, double column, const std::string& words,
     return column;
 }
 
-/// Mixes the letter's colour into the pixels that it covers.
+/// Mixes `colour` into the pixels of the image that the letter in `bitmap` covers.
 void blend(Image& image, const FT_Bitmap& bitmap, int left, int top, const Eigen::Vector3f& colour) {
     for (int y = 0; y < static_cast<int>(bitmap.rows); ++y)
         for (int x = 0; x < static_cast<int>(bitmap.width); ++x) {
@@ -78,7 +79,7 @@ void Text::write(Image& image, double column, double row, const std::string& wor
                  const Eigen::Vector3f& colour) const {
     const double base = std::round(row);
     set(face.get(), column, words, [&](FT_UInt glyph, double at) {
-        // Letters are placed between pixels by their widths; only their heights are fitted to rows.
+        // Letters may begin between two columns of pixels; only their heights are fitted to rows of pixels.
         FT_Vector shift{std::lround(64 * (at - std::floor(at))), 0};
         FT_Set_Transform(face.get(), nullptr, &shift);
         check(FT_Load_Glyph(face.get(), glyph, FT_LOAD_RENDER | FT_LOAD_TARGET_LIGHT));

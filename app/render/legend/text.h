@@ -15,12 +15,12 @@ namespace sherd {
 /// (run) if FreeType fails.
 class Text {
   public:
-    /// size: the font's em, height of a line of text, pixels.
+    /// size: the font's em, that is, the height of a line of text, pixels.
     explicit Text(double size);
 
     double size() const { return em; }
     double width(const std::string& words) const;  ///< pixels
-    /// column, row: pixels, start of the text on its base line. words: UTF-8.
+    /// Writes `words` (UTF-8) into an image. column, row: pixels, beginning of the text on its base line.
     void write(Image& image, double column, double row, const std::string& words,
                const Eigen::Vector3f& colour) const;
 

@@ -18,15 +18,15 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double most_zoom = 1e6, farthest = 1e12;  // rays lose all digits beyond these
-constexpr double margin = 1.08;                     // ratio of the picture's size to that of the boxes in it
+constexpr double most_zoom = 1e6, farthest = 1e12;  // beyond these limits rays lose all digits
+constexpr double margin = 1.08;                     // size of the picture over size of its boxes
 
 void check_angle(const std::string& text, double angle) {
     if (angle < 1 || angle > 120)
         throw Error(fmt::format("--camera {}: the angle of view must be 1 to 120 degrees", text));
 }
 
-/// Direction from the scene to the eye.
+/// Returns the direction from the scene to the eye.
 Vector3d direction_of(const CameraChoice& choice, const Vector3d& up) {
     const Vector3d side = std::abs(up.x()) < 0.9 ? Vector3d::UnitX() : Vector3d::UnitY();
     const Vector3d front = side.cross(up).normalized(), right = up.cross(front);
@@ -35,9 +35,9 @@ Vector3d direction_of(const CameraChoice& choice, const Vector3d& up) {
            std::sin(elevation) * up;
 }
 
-/// Interval in which the outermost lines of sight through the corners meet the plane through the centre,
-/// along one of the picture's axes: half its length, and its middle. slope: tangent of half the angle of
-/// view.
+/// Interval along one of the picture's axes: the lines of sight through the outermost corners meet the plane
+/// through the centre at its ends. `half` is half the length of the interval, `middle` the coordinate of its
+/// middle, relative to the centre. slope: tangent of half the angle of view.
 struct Span {
     double half, middle;
 };
@@ -57,7 +57,7 @@ Vector3d centre_of(std::span<const Eigen::AlignedBox3d> boxes) {
     return all.center();
 }
 
-/// Corners of the boxes relative to the centre.
+/// Returns the corners of the boxes relative to `centre`.
 std::vector<Vector3d> corners_of(std::span<const Eigen::AlignedBox3d> boxes, const Vector3d& centre) {
     std::vector<Vector3d> corners;
     for (const Eigen::AlignedBox3d& box : boxes)
@@ -72,7 +72,7 @@ CameraAxes camera_axes(const Camera& camera) {
     CameraAxes axes;
     axes.forward = (camera.target - camera.eye).normalized();
     Vector3d right = axes.forward.cross(camera.up);
-    if (right.norm() < 1e-6) right = axes.forward.unitOrthogonal();  // straight down or up
+    if (right.norm() < 1e-6) right = axes.forward.unitOrthogonal();  // the camera looks straight down or up
     axes.right = right.normalized();
     axes.top = axes.right.cross(axes.forward);
     return axes;

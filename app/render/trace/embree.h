@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Embree 4 or 3, whose calls for rays differ: no other file depends on the version.
+// Embree 4 or 3. Their calls for rays differ; no other file depends on the version.
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>
 #else
@@ -10,7 +10,8 @@
 
 namespace sherd {
 
-/// Finds the nearest hits of eight coherent rays; `valid`: -1 for each ray that counts, 0 for the others.
+/// Finds the nearest hits of eight coherent rays. valid: for each ray, -1 if the ray is to be traced, 0 if
+/// not.
 inline void find_nearest(const int* valid, RTCScene scene, RTCRayHit8& rays) {
 #if RTC_VERSION_MAJOR >= 4
     RTCIntersectArguments arguments;
@@ -25,7 +26,7 @@ inline void find_nearest(const int* valid, RTCScene scene, RTCRayHit8& rays) {
 #endif
 }
 
-/// Makes `tfar` of each occluded ray negative.
+/// Makes `tfar` of each occluded ray negative. valid: as for find_nearest().
 inline void find_occluded(const int* valid, RTCScene scene, RTCRay8& rays) {
 #if RTC_VERSION_MAJOR >= 4
     rtcOccluded8(valid, scene, &rays);

@@ -38,7 +38,8 @@ std::vector<std::string> command_line(const std::filesystem::path& file, double 
             "file:" + file.string()};
 }
 
-/// Starts the program with `input` as its standard input; returns an error number.
+/// Starts the program arguments[0], with the descriptor `input` as its standard input. Returns 0 or an errno
+/// value.
 int spawn(std::vector<std::string> arguments, int input, pid_t& child) {
     std::vector<char*> pointers;
     for (std::string& argument : arguments) pointers.push_back(argument.data());
@@ -52,8 +53,8 @@ int spawn(std::vector<std::string> arguments, int input, pid_t& child) {
     return error;
 }
 
-/// Whether the boxes of an MP4 file (ISO 14496-12) end at its end, and include the one with which players
-/// begin: ffmpeg reports success also if the disk was full at the end.
+/// Whether an MP4 file is complete: its boxes (ISO 14496-12) end where the file ends, and include the box
+/// "moov", with which players begin. ffmpeg reports success even if the disk was full at the end.
 bool is_whole(const std::filesystem::path& film) {
     std::ifstream in(film, std::ios::binary);
     const std::uint64_t size = std::filesystem::file_size(film);
@@ -81,7 +82,7 @@ bool is_whole(const std::filesystem::path& film) {
 
 RenderFilm::RenderFilm(std::filesystem::path file_, double rate)
     : file(checked(std::move(file_))), lock(file), pending(lock, Fault::input) {
-    std::signal(SIGPIPE, SIG_IGN);  // a child that has ended is an error of write()
+    std::signal(SIGPIPE, SIG_IGN);  // if the child has ended, write() reports an error
     std::array<int, 2> ends{};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0)
         throw Error(fmt::format("cannot start ffmpeg: {}", std::strerror(errno)), Fault::run);

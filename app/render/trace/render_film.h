@@ -10,11 +10,12 @@
 
 namespace sherd {
 
-/// A film (.mp4, H.264) that the program ffmpeg makes from pictures, as a child process without a shell. The
-/// file has another name until it is complete, and is removed if it never is.
+/// A film (.mp4, H.264) that the program ffmpeg, a child process, makes from pictures. The file has another
+/// name until it is complete, and is removed if it is never completed.
 class RenderFilm {
   public:
-    /// rate: pictures a second. Throws Error (input) when ffmpeg is not installed or the file is no .mp4.
+    /// rate: pictures per second. Throws Error (input) if ffmpeg is not installed, or if the name does not
+    /// end with .mp4.
     RenderFilm(std::filesystem::path file, double rate);
     ~RenderFilm();
     RenderFilm(const RenderFilm&) = delete;
@@ -22,7 +23,8 @@ class RenderFilm {
 
     /// Adds a picture, the bytes of a PNG file. Throws Error (run) if ffmpeg has ended.
     void add(const std::string& png);
-    /// Ends the film and gives the file its name. Throws Error (run) if ffmpeg fails.
+    /// Ends the film and gives the file its name. Throws Error (run) if ffmpeg fails, Error (input) if the
+    /// file exists and `replace` is false.
     void publish(bool replace);
 
   private:

@@ -17,7 +17,7 @@ const Vector3f ground_colour(0.58f, 0.575f, 0.565f), lamp_light(1.02f, 0.97f, 0.
     zenith_light(0.52f, 0.56f, 0.63f), horizon_light(0.34f, 0.36f, 0.40f), backdrop(0.52f, 0.53f, 0.545f),
     clay(0.62f, 0.52f, 0.41f), dark_stripe(0.02f, 0.09f, 0.22f);
 
-/// Linear light of an sRGB value, 0 to 1.
+/// Returns the linear light of an sRGB value; both are from 0 to 1.
 float linear_part(float x) {
     return x <= 0.04045f ? x / 12.92f : std::pow((x + 0.055f) / 1.055f, 2.4f);
 }
@@ -27,7 +27,7 @@ float smooth(float low, float high, float x) {
     return t * t * (3 - 2 * t);
 }
 
-/// sRGB value of linear light, 0 to 1.
+/// Returns the sRGB value of linear light; both are from 0 to 1.
 float coded(float x) {
     return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f;
 }
@@ -42,7 +42,7 @@ std::uint32_t cell_hash(const Eigen::Vector3i& cell) {
         scramble(static_cast<std::uint32_t>(cell.y()) + scramble(static_cast<std::uint32_t>(cell.z()))));
 }
 
-/// Noise with features of size 1, -1 to 1 in each component.
+/// Returns noise, from -1 to 1 in each component, that varies over distances of 1.
 Vector3f noise(const Vector3f& place) {
     const Vector3f floor = place.array().floor();
     const Eigen::Vector3i cell = floor.cast<int>();
@@ -73,7 +73,7 @@ float weighted(const RenderHit& hit, float RenderVertex::*member) {
            hit.v * vertices[c].*member;
 }
 
-/// Colour of the triangle's picture; none without a picture.
+/// Returns the colour of the triangle's picture at the hit, linear light; none without a picture.
 std::optional<Vector3f> picture_colour(const RenderHit& hit) {
     const RenderMesh& mesh = *hit.mesh;
     if (mesh.picture.empty() || mesh.picture[hit.triangle] < 0) return std::nullopt;
@@ -87,7 +87,7 @@ std::optional<Vector3f> picture_colour(const RenderHit& hit) {
     return colour;
 }
 
-/// Makes a point rough and unglazed, as on the surface of a crack; its grains move with the material.
+/// Makes a point rough and unglazed, like the surface of a crack, with grains that move with the material.
 void roughen(LitPoint& point, const RenderHit& hit) {
     constexpr float grain = 6e-4f;  // m
     const Vector3f place = weighted(hit, &RenderVertex::material) / grain;

@@ -17,7 +17,7 @@ namespace {
 using Eigen::Vector2f;
 using Eigen::Vector3f;
 
-/// Purposes of a pixel's samples.
+/// Purposes of the points of a SamplePattern.
 enum Purpose : std::uint32_t { within_pixel, over_lamp, over_hemisphere };
 
 class Painter {
@@ -62,7 +62,8 @@ RenderRay Painter::camera_ray(int column, int row, const Vector2f& within) const
     return ray;
 }
 
-/// Visible point: of a mesh, of the nearest plane in front of it, or of the backdrop.
+/// Returns the point that a ray from the camera sees: on the nearest plane, if that is nearer than the hit;
+/// otherwise on the mesh that is hit; otherwise on the backdrop.
 LitPoint Painter::seen(const RenderRay& ray, const RenderHit& hit) const {
     float nearest = hit.distance;
     const RenderPlane* front = nullptr;
@@ -90,7 +91,7 @@ RenderRay Painter::secondary(const LitPoint& point, const Vector3f& direction, f
     return ray;
 }
 
-/// Sum of the light of up to eight samples of a pixel.
+/// Returns the sum of the light of up to eight samples of a pixel, from sample `first` on.
 Vector3f Painter::packet(int column, int row, int first) const {
     const int count = std::min(ray_packet, options.samples - first);
     const auto pixel = static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(options.width) +

@@ -13,12 +13,12 @@ namespace sherd {
 struct PictureOptions {
     int width = 960, height = 540;
     int samples = 32;  ///< number of samples of each pixel
-    int threads = 0;   ///< 0: as many as the processor runs at once
+    int threads = 0;   ///< number of threads; 0: as many as the processor runs at once
 };
 
-/// Draws a scene, with soft shadows of a lamp, and with the light of a dome where it is not occluded. The
-/// bits do not depend on the number of threads. Returns none when `stop` returned true, which all threads
-/// call for every row.
+/// Returns a picture of a scene, lit by a lamp with soft shadows, and by a dome where no mesh hides it. The
+/// bits of the picture do not depend on the number of threads. Every thread calls stop() before each row;
+/// returns none if stop() has returned true.
 std::optional<Image> render_picture(const RenderScene& scene, const Camera& camera,
                                     const PictureOptions& options, const std::function<bool()>& stop);
 

@@ -9,28 +9,28 @@
 
 namespace sherd {
 
-/// Hash of a number, the same on all machines.
+/// Returns a hash of a number, equal on all machines.
 inline std::uint32_t scramble(std::uint32_t x) {
     x = (x ^ (x >> 16)) * 0x7feb352dU;  // a bijection with good avalanche, found by C. Wellons' search
     x = (x ^ (x >> 15)) * 0x846ca68bU;
     return x ^ (x >> 16);
 }
 
-/// Number from 0 up to but not including 1, from a hash.
+/// Returns the number, from 0 up to but not including 1, that belongs to a hash.
 inline float unit_float(std::uint32_t x) {
     return static_cast<float>(x >> 8) * 0x1p-24f;
 }
 
-/// Points of a pixel's samples in a unit square, spread evenly: a lattice of generalised golden ratios (M.
-/// Roberts, "R2"), shifted by a hash of the pixel and of the purpose of the points.
+/// Points in a unit square, one for each sample of a pixel, spread evenly: a lattice of generalised golden
+/// ratios (M. Roberts, "R2"), shifted by a hash of the pixel and of the purpose of the points.
 class SamplePattern {
   public:
     SamplePattern(std::uint32_t pixel, std::uint32_t purpose, int count)
         : count(static_cast<std::uint32_t>(count)), stride(1) {
         const std::uint32_t seed = scramble(pixel * 8 + purpose);
         shift = {unit_float(seed), unit_float(scramble(seed))};
-        // Each purpose has its own order: otherwise points of the same sample would fill a part of each
-        // square.
+        // Each purpose has its own order of points: with a common order, the points of a sample for different
+        // purposes would depend on each other.
         offset = scramble(seed + 1) % this->count;
         stride = this->count * (2 * purpose + 1) / 7 + 1;
         while (std::gcd(stride, this->count) != 1) ++stride;
@@ -47,7 +47,8 @@ class SamplePattern {
     Eigen::Vector2d shift;
 };
 
-/// A direction about `axis` (unit), distributed as the cosine of the angle to it.
+/// Returns a direction about `axis` (unit). If `point` is uniform in the unit square, the directions are
+/// distributed as the cosine of their angle to the axis.
 inline Eigen::Vector3f cosine_direction(const Eigen::Vector3f& axis, const Eigen::Vector2f& point) {
     const Eigen::Vector3f side = axis.unitOrthogonal(), other = axis.cross(side);
     const float radius = std::sqrt(point.x()), angle = 2 * std::numbers::pi_v<float> * point.y();
@@ -55,7 +56,7 @@ inline Eigen::Vector3f cosine_direction(const Eigen::Vector3f& axis, const Eigen
            std::sqrt(std::max(0.0f, 1 - point.x())) * axis;
 }
 
-/// A direction within a cone about `axis` (unit); `width`: tangent of half its angle.
+/// Returns a direction within a cone about `axis` (unit). width: tangent of half the angle of the cone.
 inline Eigen::Vector3f cone_direction(const Eigen::Vector3f& axis, float width,
                                       const Eigen::Vector2f& point) {
     const Eigen::Vector3f side = axis.unitOrthogonal(), other = axis.cross(side);

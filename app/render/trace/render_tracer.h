@@ -16,8 +16,8 @@ constexpr int ray_packet = 8;
 
 struct RenderRay {
     Eigen::Vector3f origin, direction;
-    float nearest = 0;                                     ///< begin, in lengths of the direction
-    float reach = std::numeric_limits<float>::infinity();  ///< end, in lengths of the direction
+    float nearest = 0;                                     ///< begin of the ray, in lengths of `direction`
+    float reach = std::numeric_limits<float>::infinity();  ///< end of the ray, in lengths of `direction`
     bool active = false;
 };
 
@@ -31,8 +31,8 @@ struct RenderHit {
 using RayPacket = std::array<RenderRay, ray_packet>;
 using HitPacket = std::array<RenderHit, ray_packet>;
 
-/// Embree's bounding volume hierarchy of a scene's meshes. The scene must outlive it. Several threads may use
-/// it at once.
+/// Embree's bounding volume hierarchy of a scene's meshes. The scene must outlive this object. Several
+/// threads may use the object at once.
 class RenderTracer {
   public:
     explicit RenderTracer(const RenderScene& scene);
@@ -41,7 +41,7 @@ class RenderTracer {
     RenderTracer& operator=(const RenderTracer&) = delete;
 
     HitPacket nearest_hits(const RayPacket& rays) const;
-    /// Whether each ray is occluded; false for those that are not active.
+    /// Returns whether a mesh occludes each ray; false for rays that are not active.
     std::array<bool, ray_packet> occluded(const RayPacket& rays) const;
 
   private:

@@ -46,8 +46,8 @@ std::vector<Index> selected_triangles(const Shell& mechanics, const std::vector<
     return triangles;
 }
 
-/// Adds the scene's loads to the options. `mechanics` has all inputs. Throws Error, naming the scene's line
-/// and key, on a load that acts on nothing.
+/// Adds the scene's loads to the options. mechanics: of all inputs. Throws Error, naming the scene's line and
+/// key, on a load that acts on nothing.
 void add_loads(const Scene& scene, const std::vector<SheetInput>& inputs, const Shell& mechanics,
                SimulationOptions& options) {
     for (const LoadSpec& spec : scene.loads) {
@@ -75,10 +75,11 @@ void add_loads(const Scene& scene, const std::vector<SheetInput>& inputs, const 
     }
 }
 
-constexpr double placement_rounding =
-    1e-6;  // share of a body's size: less is round-off, as in placing on a plane
+/// Share of a body's size: an overlap below it is round-off, as of a body that is placed on a plane.
+constexpr double placement_rounding = 1e-6;
 
-/// Depth, m, of the deepest of the body's contact points in a shape; negative if none is inside.
+/// Returns the overlap, m, of a body with a shape whose pose is `there`, at the body's deepest contact point;
+/// negative if they do not overlap by more than round-off.
 double depth(const RigidBody& body, const Shape& shape, const Eigen::Isometry3d& there) {
     double deepest = -1;
     for (const Vector3d& foot : body.contact_points)
@@ -92,8 +93,8 @@ std::string message(const ObstacleSpec& body, const ObstacleSpec& other, double 
                        depth, other.name);
 }
 
-/// Throws Error, with the scene's lines and keys, if a free body starts inside an obstacle or another body,
-/// whose contact springs would fling it out. The obstacles and bodies are those of the scene, in its order.
+/// Throws Error, with the scene's lines and keys, if a free body overlaps an obstacle or another body at the
+/// start: contact springs would fling it out. obstacles, bodies: made from the scene's, in its order.
 void require_free_bodies(const Scene& scene, const std::vector<Obstacle>& obstacles,
                          const std::vector<RigidBody>& bodies) {
     std::vector<std::string> mistakes;
@@ -119,7 +120,7 @@ void require_stability(const Scene& scene, const std::vector<SheetInput>& inputs
     };
     if (stable(all)) return;
     std::vector<std::string> mistakes;
-    // Each sheet is tested alone, to name those that are unstable.
+    // Each sheet is tested alone, so that the message names the unstable ones.
     for (std::size_t s = 0; s < inputs.size(); ++s)
         if (!stable(BreakableShell({inputs[s]})))
             mistakes.push_back(fmt::format(
@@ -130,8 +131,8 @@ void require_stability(const Scene& scene, const std::vector<SheetInput>& inputs
     if (!mistakes.empty()) throw Error(fmt::format("{}", fmt::join(mistakes, "\n")));
 }
 
-/// Adds the scene's obstacles and bodies. If a sheet overlaps one at the start, throws Error or, where the
-/// scene exempts overlaps, adds a warning.
+/// Adds the scene's obstacles and free bodies to the options. If a sheet overlaps one of them too much at the
+/// start, throws Error or, if Scene::exempts_overlaps is set, exempts the overlap and adds a warning.
 void add_obstacles(const Scene& scene, BuiltScene& built, std::vector<std::string>& warnings) {
     ContactOptions& contact = built.options.stepper.contact;
     const ThicknessRange sheets = thickness_range(built.inputs);

@@ -6,9 +6,9 @@
 
 namespace sherd {
 
-/// Adds the scene's gauges, each at the point of the mechanics of all sheets that is nearest to its place.
-/// Throws Error, naming the scene's line and key, on a gauge that is farther from its sheet than the longest
-/// edge of the face there.
+/// Adds the scene's gauges to the options, each at the point of its sheet, or of any sheet if it names none,
+/// that is nearest to GaugeSpec::at. mechanics: of all sheets. Throws Error, naming the scene's line and key,
+/// if this point is farther away than the longest edge of its face.
 void add_gauges(const Scene& scene, const Shell& mechanics, SimulationOptions& options);
 
 }  // namespace sherd

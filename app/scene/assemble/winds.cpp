@@ -11,13 +11,13 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr int waves = 64;  // enough for sums that are nearly Gaussian
+constexpr int waves = 64;  // number of waves: enough for a sum that is nearly Gaussian
 
 }  // namespace
 
 std::vector<GustWave> gust_waves(const GustSpec& gust, const Vector3d& wind, std::int64_t seed) {
     Random random(static_cast<unsigned>(seed));
-    // Random factor of 1/2 to 2 on the length or time of a typical gust.
+    // Random factor from 1/2 to 2 on the wave number or the frequency of a typical gust.
     const auto octaves = [&random] { return std::exp2(2 * random.uniform() - 1); };
     std::vector<GustWave> result;
     for (int i = 0; i < waves; ++i) {

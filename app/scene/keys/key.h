@@ -14,30 +14,34 @@
 
 namespace sherd {
 
-/// A key of a table that is read into a struct, declared once: its reader, its messages, its default, its
-/// documentation and its schema come from here.
+/// Declaration of a key of a TOML table, whose value is read into a Struct. Reading, messages, default,
+/// documentation and schema of the key all follow from it.
 template <class Struct>
 struct Key {
     KeyInfo info;
     void (*read)(TomlTable& table, const KeyInfo& key, Struct& into) = nullptr;
-    std::string (*fallback)(const KeyInfo& key, const Struct& defaults) = nullptr;  ///< null: no default
-    std::vector<SectionText> (*inside)() = nullptr;                                 ///< null: no table
+    /// Returns the default, as TOML; null: there is none.
+    std::string (*fallback)(const KeyInfo& key, const Struct& defaults) = nullptr;
+    /// Returns the kinds of table that the value may be; null: it is no table.
+    std::vector<SectionText> (*inside)() = nullptr;
 };
 
-/// A kind of table, which is read into a struct.
+/// A kind of table, whose keys are read into a Struct.
 template <class Struct_>
 struct Section {
     using Struct = Struct_;
     std::string_view title;  ///< heading in the reference
     std::span<const Key<Struct>> keys;
-    /// Checks keys against each other and completes the struct, after all keys have been read; null: nothing.
+    /// Called when all keys have been read: checks the keys against each other and completes the Struct;
+    /// null: there is nothing to do.
     void (*complete)(TomlTable& table, Struct& into) = nullptr;
 };
 
 /// Reports conflicts of a key with other keys of its table.
 void report_conflicts(TomlTable& table, const KeyInfo& key);
 
-/// Reads the keys of a table, and reports those that conflict. The caller must call finish().
+/// Reads the keys of a table, and reports keys that conflict. The caller must call TomlTable::finish()
+/// afterwards.
 template <class Struct>
 void read_keys(TomlTable& table, const Section<Struct>& section, Struct& into) {
     for (const Key<Struct>& key : section.keys) key.read(table, key.info, into);
@@ -73,7 +77,9 @@ struct Traits<Value_ Struct_::*> {
     using Value = Value_;
 };
 
-/// First struct of a path of members, and type of the member at its end.
+/// A path: a sequence of pointers to members, each to a member of the previous member, such as
+/// &Scene::simulation, &SimulationOptions::stepper. Struct is the class that has the first member, and Value
+/// the type of the last member.
 template <auto first, auto... rest>
 struct Path {
     using Struct = typename Traits<decltype(first)>::Struct;
@@ -133,7 +139,7 @@ constexpr Form table_form<std::vector<Value>> = Form::table | Form::tables;
 
 }  // namespace keys
 
-/// A key of a plain value, which is read into the member at the end of a path of members.
+/// A key of a plain value, which is read into the member at the end of a path (keys::Path).
 template <auto... path>
 constexpr auto key(std::string_view name, std::string_view sentence, const KeyRules& rules = {}) {
     using Struct = typename keys::Path<path...>::Struct;
@@ -147,8 +153,8 @@ constexpr auto key(std::string_view name, std::string_view sentence, const KeyRu
                        }};
 }
 
-/// A key of a table that is read into a member: a struct, an optional one, or a vector of them, which may be
-/// written as an array of tables, too.
+/// A key whose value is a table that is read into the member at the end of a path (keys::Path): a struct, an
+/// optional struct, or a vector of structs. For a vector an array of tables may be written, too.
 template <const auto& section, auto... path>
 constexpr auto table_key(std::string_view name, std::string_view sentence, const KeyRules& rules = {}) {
     using Struct = typename keys::Path<path...>::Struct;
@@ -160,7 +166,7 @@ constexpr auto table_key(std::string_view name, std::string_view sentence, const
                        [] { return std::vector{text_of(section)}; }};
 }
 
-/// A key of a table whose keys are read into the struct of the key itself.
+/// A key whose value is a table with keys that are read into the same Struct as the key itself.
 template <const auto& section>
 constexpr auto part_key(std::string_view name, std::string_view sentence, const KeyRules& rules = {}) {
     using Struct = typename std::remove_cvref_t<decltype(section)>::Struct;
@@ -172,8 +178,8 @@ constexpr auto part_key(std::string_view name, std::string_view sentence, const 
                        [] { return std::vector{text_of(section)}; }};
 }
 
-/// A key with a reader of its own. Without forms it is one that is refused, which the reference leaves out.
-/// inside: if it is a table, the kinds of table that it may be.
+/// A key with a reader of its own. Without forms, the reader must refuse the key, and the reference leaves it
+/// out. inside: returns the kinds of table that the value may be; null: it is no table.
 template <class Struct>
 constexpr Key<Struct> special_key(std::string_view name, Form forms, std::string_view sentence,
                                   const KeyRules& rules,
@@ -182,7 +188,8 @@ constexpr Key<Struct> special_key(std::string_view name, Form forms, std::string
     return {{name, forms, rules, sentence}, read, nullptr, inside};
 }
 
-/// A key of earlier versions, which the reference leaves out.
+/// A key of earlier versions, which is reported with its replacement `instead`, and which the reference
+/// leaves out.
 template <class Struct>
 constexpr Key<Struct> retired_key(std::string_view name, std::string_view instead) {
     return {{name, Form{}, {.retired = {{}, instead}}, {}},
@@ -191,7 +198,7 @@ constexpr Key<Struct> retired_key(std::string_view name, std::string_view instea
             }};
 }
 
-/// The keys of several lists, in their order.
+/// Returns the keys of several lists as one list, in their order.
 template <class Struct, std::size_t... sizes>
 constexpr auto joined(const std::array<Key<Struct>, sizes>&... lists) {
     std::array<Key<Struct>, (sizes + ...)> all{};
@@ -200,7 +207,8 @@ constexpr auto joined(const std::array<Key<Struct>, sizes>&... lists) {
     return all;
 }
 
-/// The keys of a list, for a struct that has their struct at the end of a path of members.
+/// Returns the keys of a list for another Struct: the struct that they are read into is its member at the end
+/// of a path.
 template <const auto& list, auto... path>
 constexpr auto embedded() {
     return keys::embed_all<list, path...>(std::make_index_sequence<list.size()>());

@@ -35,27 +35,29 @@ constexpr bool has_form(Form forms, Form one) {
     return (static_cast<unsigned>(forms) & static_cast<unsigned>(one)) != 0;
 }
 
-/// A choice that a key had in earlier versions; without a name, the key itself.
+/// A value that a key could have in earlier versions or, without a name, a key that existed then.
 struct Retired {
     std::string_view name = {};
-    std::string_view instead = {};  ///< advice to the user; empty: nothing is retired
+    std::string_view instead = {};  ///< replacement, as advice to the user; empty: nothing is retired
 };
 
 /// Rules for the value of a key.
 struct KeyRules {
     std::string_view unit = {};  ///< unit of numbers: "m"
-    Range range = any_number;    ///< range of numbers
+    Range range = any_number;    ///< allowed range of numbers
     /// Allowed names, in the order of the enumeration; for a bool, the first means true.
     std::span<const std::string_view> choices = {};
-    std::string_view what = {};  ///< description of text: "the name of a PNG file"
+    std::string_view what = {};  ///< description of a text or a file, for messages: "the name of a PNG file"
     bool required = false;
-    std::string_view otherwise = {};                ///< default in words, if it is no value of the struct
+    std::string_view otherwise = {};                ///< default in words, where the struct's own initial
+                                                    ///< value is not the default
     std::array<std::string_view, 5> excludes = {};  ///< keys of the same table that conflict with it
-    std::size_t least_rows = 1, columns = 2;        ///< size of an array of rows
+    std::size_t least_rows = 1, columns = 2;        ///< least number of rows of an array, and number of
+                                                    ///< columns
     Retired retired = {};
 };
 
-/// A key without the struct that it is read into: for messages, help, completion and schemas.
+/// The part of a Key that does not depend on a Struct: for messages, help, completion and schemas.
 struct KeyInfo {
     std::string_view name;
     Form forms = Form::number;
@@ -68,8 +70,8 @@ struct SectionText;
 /// A key as the reference documents it.
 struct KeyText {
     KeyInfo info;
-    std::string fallback;             ///< default, as TOML; empty: none that is a value
-    std::vector<SectionText> inside;  ///< if it is a table: the kinds of table that it may be
+    std::string fallback;             ///< default, as TOML; empty: there is none, or only KeyRules::otherwise
+    std::vector<SectionText> inside;  ///< if the value is a table: the kinds of table that it may be
 };
 
 /// A kind of table as the reference documents it.

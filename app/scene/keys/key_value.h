@@ -16,7 +16,7 @@ namespace sherd {
 template <class Value>
 concept Enumeration = std::is_enum_v<Value>;
 
-/// Form of a plain value.
+/// Form of a key whose value is read into a Value.
 template <class Value>
 constexpr Form form_of = Form{};
 template <>
@@ -40,10 +40,10 @@ constexpr Form form_of<Enum> = Form::choice;
 template <class Value>
 constexpr Form form_of<std::optional<Value>> = form_of<Value>;
 
-/// Whether a table has the retired choice of a key, which is then reported.
+/// Whether a table sets a key to its retired value (KeyRules::retired), which is then reported.
 bool is_retired(TomlTable& table, const KeyInfo& key);
 
-// read_value() reads a value, which stays if the key is missing and not required.
+// read_value() reads the value of a key. If the key is missing and not required, `value` keeps its value.
 void read_value(TomlTable& table, const KeyInfo& key, double& value);
 void read_value(TomlTable& table, const KeyInfo& key, bool& value);
 void read_value(TomlTable& table, const KeyInfo& key, int& value);
@@ -65,7 +65,7 @@ void read_value(TomlTable& table, const KeyInfo& key, std::optional<Value>& valu
     read_value(table, given, value.emplace());
 }
 
-// as_toml() returns a value as TOML; empty if a user could not write it.
+// as_toml() returns a value as TOML, or "" if a user could not write it, such as an infinite number.
 std::string as_toml(const KeyInfo& key, double value);
 std::string as_toml(const KeyInfo& key, bool value);
 std::string as_toml(const KeyInfo& key, int value);

@@ -9,7 +9,8 @@
 namespace sherd {
 namespace {
 
-/// Sets the kind of a load to the key of its size, and reports a second such key.
+/// Sets the kind of a load to `key`, which gives the load's size; if the load has a kind already, reports the
+/// key.
 void take_kind(TomlTable& table, std::string_view key, LoadSpec& load) {
     if (!load.kind.empty())
         table.report(key, fmt::format("conflicts with {}: write a load for each", load.kind));

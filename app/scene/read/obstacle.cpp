@@ -60,7 +60,7 @@ constexpr std::array level_set_keys{
                                   {.unit = "m per unit of the file", .range = positive})};
 constexpr Section<ObstacleLevelSet> level_set_section{"A level set", level_set_keys};
 
-/// Reads the shape of an obstacle from the first key that gives one.
+/// Reads the shape of an obstacle, unless an earlier key has given one.
 template <const auto& section>
 void read_solid(TomlTable& table, const KeyInfo& key, ObstacleSpec& obstacle) {
     if (!table.has(key.name) || !obstacle.where.empty()) return;
@@ -133,7 +133,7 @@ std::vector<SectionText> inside_cache() {
     return {text_of(cache_section)};
 }
 
-/// Returns the free motion of an obstacle, which density or mass make a free body.
+/// Returns the free motion of an obstacle, and makes the obstacle a free body if it is none yet.
 FreeMotion& free_motion(ObstacleSpec& obstacle) {
     return obstacle.free ? *obstacle.free : obstacle.free.emplace();
 }
@@ -169,8 +169,8 @@ void complete_free_motion(TomlTable& table, ObstacleSpec& obstacle) {
     if (has_mass && !is_mesh) obstacle.free->density = obstacle.free->mass / volume(obstacle);
 }
 
-/// Point about which an obstacle rotates, before it is placed: a point of a plane, the centre of a solid, the
-/// origin of a file.
+/// Returns the point, m, about which an obstacle rotates, before the obstacle is placed: a point of a plane,
+/// the centre of a sphere, box or cylinder, the origin of a mesh or level set.
 template <class Kind>
 Vector3d pivot(const Kind& kind) {
     if constexpr (requires { kind.point; }) return kind.point;

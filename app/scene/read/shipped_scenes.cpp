@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* studies = "studies";  // folder of the studies
 
-/// The first sentence of the comment at the head of a file.
+/// Returns the first sentence of the comment at the head of a file.
 std::string description_of(const fs::path& file) {
     std::ifstream stream(file);
     std::string text;
@@ -40,7 +40,7 @@ const ShippedScene* find_named(std::string name, const std::vector<ShippedScene>
     return found == scenes.end() ? nullptr : &*found;
 }
 
-/// Advice after an unknown name: the nearest known one, if there is one.
+/// Returns advice on an unknown name: the most similar known name, if there is one, and how to list all.
 std::string advice(const std::string& given, const std::vector<ShippedScene>& scenes) {
     std::vector<std::string> names, last_parts;
     for (const ShippedScene& scene : scenes) {
@@ -62,7 +62,7 @@ bool is_missing(const fs::path& path) {
     return fs::status(path, unreadable).type() == fs::file_type::not_found;
 }
 
-/// The scenes that come with the program; empty if their folder is missing.
+/// Returns the scenes that come with the program; none if their folder is missing.
 std::vector<ShippedScene> scenes_if_any() try {
     return shipped_scenes(shipped_scene_folder());
 } catch (const Error&) {
@@ -119,7 +119,7 @@ fs::path find_scene(const std::string& given) {
     if (!is_missing(given + ".toml")) return given + ".toml";
     const std::vector<ShippedScene> scenes = scenes_if_any();
     if (const ShippedScene* scene = find_named(given, scenes)) return scene->file;
-    if (is_folder) return given;  // reading it reports the error
+    if (is_folder) return given;  // reading the folder reports the error
     throw Error(fmt::format(
         "{}: cannot read the scene: there is no such file, and no scene of this name comes with the program; "
         "{}",

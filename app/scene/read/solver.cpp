@@ -6,7 +6,8 @@
 namespace sherd {
 namespace {
 
-constexpr double static_step = 0.05;  // load factor: a step should turn a shell by some degrees only
+constexpr double static_step = 0.05;  // load factor, default step of statics, in which a shell should turn by
+                                      // some degrees only
 constexpr Range from_1{.least = 1, .with_least = true};
 
 constexpr std::array<std::string_view, 5> scheme_names{"implicit-euler", "bdf2", "auto", "explicit",
@@ -18,7 +19,7 @@ constexpr std::array<std::string_view, 2> methods{"quasi-newton", "newton"},
 constexpr std::array<std::string_view, 4> bendings{"coupled", "cubic", "cubic-2007", "nonlinear"};
 constexpr std::array<std::string_view, 3> jacobians{"constant", "cubic", "nonlinear"};
 
-/// Reads the scheme, and sets defaults that depend on it.
+/// Reads the scheme, and sets the defaults that depend on the scheme.
 void read_scheme(TomlTable& table, const KeyInfo& key, Scene& scene) {
     if (table.has(key.name) && !is_retired(table, key)) {
         const std::size_t chosen = table.choice_number(key.name, key.rules.choices);
@@ -27,7 +28,8 @@ void read_scheme(TomlTable& table, const KeyInfo& key, Scene& scene) {
     }
     if (scene.simulation.stepper.scheme == Scheme::explicit_differences)
         scene.simulation.stepper.step = scene.simulation.explicit_step;
-    // In statics the matrix changes more from step to step: it has no constant part of inertia.
+    // In statics the stiffness matrix changes more from step to step than in dynamics, since it has no
+    // constant part from inertia. The default is therefore Newton's method.
     if (scene.simulation.stepper.scheme == Scheme::statics) scene.simulation.stepper.method = Method::newton;
 }
 

@@ -6,8 +6,8 @@
 
 namespace sherd {
 
-/// Reports parts of a scene that statics cannot have: velocities, free bodies, wind, damping, ramps of loads
-/// and sheets without supports; and for arc_length prescribed motions, or the lack of a load.
+/// Reports parts of a scene that statics do not allow: velocities, free bodies, wind, damping, ramps of
+/// loads, and sheets without supports; with arc_length also prescribed motions and the lack of a load.
 void require_statics(TomlTable& root, const Scene& scene);
 
 }  // namespace sherd

@@ -8,16 +8,16 @@
 
 namespace sherd {
 
-/// Puts `assignment`, KEY=VALUE of the command line, into `scene`. KEY is dotted; VALUE is TOML, and a bare
-/// word that is not TOML is a string. Added keys have the source path "--set KEY=VALUE". Throws Error when
-/// the assignment cannot be understood.
+/// Puts `assignment`, KEY=VALUE from the command line, into `scene`. KEY is dotted; VALUE is TOML, or a
+/// string without quotes. Added keys have the source path "--set KEY=VALUE". Throws Error when the assignment
+/// cannot be understood.
 void apply_override(toml::table& scene, const std::string& assignment);
 
-/// Puts the keys of `from` into `into`. Tables named by a dotted key or a header are merged, and everything
-/// else, inline tables too, is replaced.
+/// Puts the keys of `from` into `into`. A table of `from` that is not inline is merged into a table that
+/// `into` has; any other value, an inline table too, replaces the value that `into` has.
 void merge_keys(toml::table& into, toml::table&& from);
 
-/// Whether a source path is that of an override.
+/// Whether a source path belongs to a key that apply_override() has added.
 bool is_override(std::string_view source_path);
 
 }  // namespace sherd

@@ -17,7 +17,7 @@ struct Range {
     }
     bool has_least() const { return least > -std::numeric_limits<double>::infinity(); }
     bool has_most() const { return most < std::numeric_limits<double>::infinity(); }
-    /// Description for messages: "a positive number".
+    /// Returns a description for messages, such as "a positive number".
     std::string words() const;
 };
 inline constexpr Range any_number{};

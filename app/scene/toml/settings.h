@@ -8,7 +8,8 @@
 
 namespace sherd {
 
-/// The values of a TOML table and of the tables and arrays in it as text, by dotted keys ("load[1].force").
+/// Returns the values of a TOML table, and of all tables and arrays in it, as text by dotted keys such as
+/// "load[1].force".
 std::map<std::string, std::string> settings_of(const toml::table& table);
 
 }  // namespace sherd

@@ -16,7 +16,8 @@ namespace sherd {
 
 namespace {
 
-/// TOML ends lines with LF or CR LF; a text whose lines end with CR alone gets LF.
+/// Returns a text with line feeds. TOML ends lines with LF or CR LF; a text whose lines end with CR alone
+/// gets LF instead.
 std::string with_line_feeds(std::string text) {
     if (text.find('\n') == text.npos) std::ranges::replace(text, '\r', '\n');
     return text;

@@ -9,11 +9,11 @@
 
 namespace sherd {
 
-/// Reads the text of a TOML file. `kind` says to the user what it is: "scene", "material". Throws Error with
+/// Reads the text of a TOML file. kind: noun for the file in messages, "scene" or "study". Throws Error with
 /// the reason when it cannot be read.
 std::string read_toml_text(const std::filesystem::path& file, std::string_view kind);
 
-/// Returns the content of `file` as a table, with `file` as its source path. Throws Error with line and
+/// Parses `text`, the content of `file`, into a table whose source path is `file`. Throws Error with line and
 /// column when it is not TOML.
 toml::table parse_toml(const std::string& text, const std::filesystem::path& file);
 

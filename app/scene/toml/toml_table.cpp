@@ -15,7 +15,7 @@ namespace sherd {
 namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-/// Bounds of numbers: products of a few numbers beyond them overflow or underflow.
+/// Bounds of the magnitudes of numbers: products of a few numbers beyond them would overflow or underflow.
 constexpr double largest = 1e30, smallest = 1e-30;
 
 std::string_view type_name(const toml::node& node) {
@@ -37,7 +37,7 @@ std::string_view type_name(const toml::node& node) {
     }
 }
 
-/// The value as the user wrote it, if it is short, or its type.
+/// Returns the value of a node for messages, or its type if the value may be long.
 std::string told(const toml::node& node) {
     if (const auto* text = node.as_string()) return fmt::format("the string \"{}\"", text->get());
     if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
@@ -56,7 +56,7 @@ std::optional<double> finite_number(const toml::node& node) {
     return value && std::isfinite(*value) && is_in_bounds(*value) ? value : std::nullopt;
 }
 
-/// Whether a number, or one in an array, is finite but out of bounds.
+/// Whether the node is a number, or an array with a number, that is finite but out of bounds.
 bool is_out_of_bounds(const toml::node& node) {
     if (const toml::array* array = node.as_array())
         return std::any_of(array->begin(), array->end(),
@@ -162,7 +162,7 @@ std::size_t TomlTable::choice_number(std::string_view key, std::span<const std::
 }
 
 void TomlTable::retired(std::string_view key, std::string_view instead) {
-    // Messages that list known keys must not offer it.
+    // has() makes the key a known one, which messages list, so it is called only if the table has the key.
     if (content->contains(key) && has(key)) report(key, fmt::format("is no key any more: {}", instead));
 }
 

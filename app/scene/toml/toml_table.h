@@ -16,16 +16,18 @@
 
 namespace sherd {
 
-/// Returns the place of something in a scene: "plate.toml:12", or the override "--set KEY=VALUE".
+/// Returns the place where a user has written a key or a value: "plate.toml:12", or the override "--set
+/// KEY=VALUE".
 std::string place_of(const toml::source_region& source);
 
 /// Collects the mistakes of a scene, so that a user sees them all at once.
 class Problems {
   public:
-    /// Adds a problem. key: dotted; what: the mistake and its remedy.
+    /// Adds a problem. source: where it is; key: dotted key; what: the mistake and its remedy.
     void add(const toml::source_region& source, std::string_view key, const std::string& what);
 
-    /// Throws Error with a line for each problem, in the order of the file, those of overrides at the end.
+    /// If there are problems, throws Error with a line for each: in the order of the file, problems of
+    /// overrides last.
     void throw_if_any() const;
 
   private:
@@ -37,12 +39,13 @@ class Problems {
     std::vector<Problem> problems;
 };
 
-/// Reads the keys of one TOML table. A missing key without a fallback, a wrong type, length or range is added
-/// to the problems, with the fallback; the caller gets the fallback, an empty value, or NaN, for which no
-/// later comparison holds. Every key asked for becomes a known one; finish() reports the others.
+/// Reads the keys of one TOML table. A missing key without a fallback is added to the problems, and so is a
+/// value of wrong type, length or range. The caller then gets an empty value, or NaN, for which all later
+/// comparisons are false, so that there is one message for each mistake; flags and integers get their
+/// fallback. A key becomes known when it is asked for; finish() reports all other keys.
 class TomlTable {
   public:
-    /// directory: to which the names of files are relative.
+    /// path: dotted key of the table; directory: folder to which names of files in the table are relative.
     TomlTable(const toml::table& table, std::string path, Problems& problems,
               std::filesystem::path directory = {});
 
@@ -61,39 +64,42 @@ class TomlTable {
     std::string choice(std::string_view key, std::span<const std::string_view> names);
     /// Reads a choice() and returns its index in `names`; 0 after a problem.
     std::size_t choice_number(std::string_view key, std::span<const std::string_view> names);
-    /// Reports a key of earlier versions. instead: its replacement, "scheme = \"auto\" does that".
+    /// If the table has `key`, a key of earlier versions, reports it with its replacement `instead`, such as
+    /// "scheme = \"auto\" does that".
     void retired(std::string_view key, std::string_view instead);
-    /// Reports a choice that a key had in earlier versions. Returns whether the table makes it; choice()
-    /// would then report it again.
+    /// If `key` is set to `name`, a value of earlier versions, reports it with the replacement `instead` and
+    /// returns true; the caller must then not call choice(), which would report it again.
     bool retired(std::string_view key, std::string_view name, std::string_view instead);
     /// Reads an array of one or more of `names`, each once; empty after a problem.
     std::vector<std::string> choices(std::string_view key, std::span<const std::string_view> names);
     Eigen::Vector3d vector(std::string_view key, std::string_view unit,
                            std::optional<Eigen::Vector3d> fallback = {});
-    /// Reads two numbers. or_one: whether messages offer a single number, too.
+    /// Reads two numbers. or_one: whether messages say that a single number is allowed, too.
     Eigen::Vector2d pair(std::string_view key, std::string_view unit, const Range& range, bool or_one = true);
     /// Reads an array of arrays of `columns` numbers, with at least `least` rows.
     std::vector<Eigen::VectorXd> rows(std::string_view key, std::string_view unit, std::size_t least,
                                       std::size_t columns);
-    /// Reads an array of any number of such arrays.
+    /// Reads an array of any number of arrays, each as rows() reads it.
     std::vector<std::vector<Eigen::VectorXd>> lists_of_rows(std::string_view key, std::string_view unit,
                                                             std::size_t least, std::size_t columns);
     /// Returns the table at `key`; none when it is missing or not a table.
     std::optional<TomlTable> table(std::string_view key);
-    /// Returns the tables at `key`: one, or an array of them; empty when it is missing.
+    /// Returns the tables at `key`, which may be a single table or an array of tables; empty when the key is
+    /// missing.
     std::vector<TomlTable> tables(std::string_view key);
-    /// Returns all entries of this table by name, as tables, in the order of the file.
+    /// Returns the tables in this table, with their names, in the order of the file. An entry that is no
+    /// table is a problem.
     std::vector<std::pair<std::string, TomlTable>> entries();
 
     /// Adds a problem at `key`, or at the table itself when the key is missing.
     void report(std::string_view key, const std::string& what);
-    /// Returns "FILE:LINE: dotted.key", for errors found later.
+    /// Returns "FILE:LINE: dotted.key" of a key, for errors that are found later.
     std::string where(std::string_view key) const;
     bool is_string(std::string_view key) const { return content->get_as<std::string>(key) != nullptr; }
     bool is_number(std::string_view key) const { return (*content)[key].is_number(); }
     bool is_table(std::string_view key) const { return content->get_as<toml::table>(key) != nullptr; }
     bool is_array(std::string_view key) const { return content->get_as<toml::array>(key) != nullptr; }
-    /// Reports every key that was never asked for, with the nearest one that was.
+    /// Reports every key of the table that has never been asked for, with the most similar key that has been.
     void finish();
 
   private:
@@ -102,7 +108,8 @@ class TomlTable {
     std::string dotted(std::string_view key) const;
     void reject(std::string_view key, std::string_view wanted, std::string_view hint = {});
     std::optional<Eigen::VectorXd> numbers(const toml::node& node) const;
-    /// None unless the node is an array of at least `least` arrays of `columns` numbers.
+    /// Returns the rows of a node that is an array of at least `least` arrays of `columns` numbers; none if
+    /// it is not.
     std::optional<std::vector<Eigen::VectorXd>> rows(const toml::node& node, std::size_t least,
                                                      std::size_t columns) const;
 

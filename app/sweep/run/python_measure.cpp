@@ -14,7 +14,8 @@
 namespace sherd {
 namespace {
 
-/// argv: folder of the package, file, recording; without a recording nothing is measured.
+/// Arguments: folder of the package, Python file, recording. Without a recording the script only requires
+/// that the file has a function measure.
 constexpr const char* script = R"python(
 import json, pathlib, runpy, sys
 folder, file, *recording = sys.argv[1:]
@@ -34,8 +35,8 @@ if recording:
     print(json.dumps(numbers), file=results)
 )python";
 
-/// Folder of the module that belongs to this program: beside it in a build, below the prefix of an
-/// installation.
+/// Returns the folder of the Python module that belongs to this program: beside the program in a build, below
+/// the prefix of an installation.
 std::filesystem::path package_folder() {
     const std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
     if (std::filesystem::exists(folder / "python" / "sherd")) return folder / "python";

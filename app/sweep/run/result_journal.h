@@ -13,11 +13,11 @@ namespace sherd {
 /// Results by StudyRow::identity.
 using RowResults = std::unordered_map<std::uint64_t, RowResult>;
 
-/// A file of results to which a single program appends, a line each. A line that a killed program has not
+/// A file of results, one a line, to which a single program appends. A line that a killed program has not
 /// written completely is cut off by the next program, and ignored by readers.
 class ResultJournal {
   public:
-    /// Opens the file, or creates it. Throws Error: (input) when another program has it.
+    /// Opens the file, or creates it. Throws Error (input) when another program has its lock.
     explicit ResultJournal(const std::filesystem::path& file);
     void append(const RowResult& result);
 
@@ -27,8 +27,9 @@ class ResultJournal {
     std::uint64_t end = 0;
 };
 
-/// Reads all results of a folder's journals (`*.jsonl`). For a row, the last result of a journal counts, and
-/// of several journals one that has not failed. A missing folder has none.
+/// Reads all results of a folder's journals (`*.jsonl`). If a journal has several results of a row, the last
+/// one counts; if several journals have results of a row, a result that has not failed is preferred. A
+/// missing folder has no results.
 RowResults read_results(const std::filesystem::path& folder);
 
 }  // namespace sherd

@@ -17,13 +17,14 @@ struct RowResult {
     int exit_code = 0;
     double wall_seconds = 0, processor_seconds = 0;
     std::string message;                                 ///< why it failed; empty: no failure
-    std::map<std::string, double> values;                ///< measure_values()
-    std::vector<std::pair<std::string, double>> python;  ///< values of the study's Python file, in its order
+    std::map<std::string, double> values;                ///< values of measures: measure_values()
+    std::vector<std::pair<std::string, double>> python;  ///< values of the study's Python file, in the file's
+                                                         ///< order
 };
 
-/// Returns a line of JSON, without its end.
+/// Returns a result as a line of JSON, without a line feed.
 std::string to_line(const RowResult& result);
-/// Reads a line of to_line(); none if it is not one.
+/// Returns the result in a line that to_line() made; none if the line is not of this kind.
 std::optional<RowResult> row_result(const std::string& line);
 
 }  // namespace sherd

@@ -20,16 +20,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double safety = 5;  // factor for contact and cracks, over the first steps
-constexpr double longest_chunk = 3600, shortest_time = 300;  // s
+constexpr double safety = 5;  // factor on the time of the first steps, for contact and cracks in later ones
+constexpr double longest_chunk = 3600, shortest_time = 300;  // s; longest_chunk by estimate, shortest_time to
+                                                             // ask for
 constexpr double most_tasks = 1000;                          // Slurm's MaxArraySize is 1001 by default
-constexpr double megabyte = 1e6, spare_memory = 300e6;       // bytes
+constexpr double megabyte = 1e6, spare_memory = 300e6;       // bytes; spare_memory for each row that runs
 
 fs::path job_file(const fs::path& folder) {
     return folder / "slurm" / "job.json";
 }
 
-/// Text of ascending numbers: "0-3,7,9-12".
+/// Returns ascending numbers as text: "0-3,7,9-12".
 std::string ranges_text(const std::vector<std::size_t>& numbers) {
     std::string text;
     for (std::size_t i = 0; i < numbers.size();) {
@@ -42,7 +43,7 @@ std::string ranges_text(const std::vector<std::size_t>& numbers) {
     return text;
 }
 
-/// Returns the states of a job's tasks in the queue; none if squeue has no such job, or is missing.
+/// Returns the states of a job's tasks that are in the queue; empty if squeue has no such job, or is missing.
 std::map<std::size_t, std::string> queued_tasks(const std::string& job) try {
     const ProgramEnd end = end_of("squeue", {"--noheader", "--array", "--jobs", job, "--format", "%K %T"});
     std::map<std::size_t, std::string> tasks;
@@ -51,7 +52,7 @@ std::map<std::size_t, std::string> queued_tasks(const std::string& job) try {
     std::size_t task = 0;
     std::string state;
     while (lines >> task >> state)
-        if (state != "COMPLETING") tasks[task] = state;  // a state that may last long after the end
+        if (state != "COMPLETING") tasks[task] = state;  // a task may have this state for long after its end
     return tasks;
 } catch (const Error&) {
     return {};
@@ -126,7 +127,7 @@ std::string submit(std::size_t chunk, const std::string& script, const fs::path&
             fmt::format("sbatch: {}; --slurm is for machines that submit jobs to Slurm", error.what()),
             Fault::run);
     }
-    if (end.exit_code != 0) throw Error(end.err, Fault::run);              // each line names sbatch
+    if (end.exit_code != 0) throw Error(end.err, Fault::run);  // each line of stderr names sbatch already
     std::string number = end.out.substr(0, end.out.find_first_of(";\n"));  // "NUMBER;CLUSTER"
     write_file(job_file(folder), Json{{"job", number}, {"chunk", chunk}}.dump() + "\n");
     return number;

@@ -15,11 +15,12 @@
 namespace sherd {
 namespace {
 
-constexpr int patience = 50;          // ms, longest delay of an interruption
-constexpr double most_of_row = 0.99;  // share of the run in a row's progress; the rest is its measurement
+constexpr int patience = 50;          // ms, longest time until an interruption is noticed
+constexpr double most_of_row = 0.99;  // share of the run in a row's progress; measuring is the rest
 
-/// Whether an interruption has ended a row. SIGTERM to all processes of a job, with which Slurm cancels one,
-/// may end the row before this process receives it, and is waited for.
+/// Whether an interruption has ended a row. When Slurm cancels a job, it sends SIGTERM to all processes of
+/// the job, so that a row may end before this process receives the signal. If SIGTERM has ended the row, the
+/// function waits for the signal.
 bool is_cut_short(const RowResult& row) {
     constexpr int terminated = signal_base + SIGTERM;
     constexpr auto pause = std::chrono::milliseconds(10), longest = std::chrono::milliseconds(5000);

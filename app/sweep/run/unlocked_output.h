@@ -5,9 +5,9 @@
 
 namespace sherd {
 
-/// Waits until no program holds the lock of an output: when a sweep is killed, its runs end after their
-/// current step, and a task of Slurm that is cancelled waits for them. Throws Error (input) as OutputLock
-/// does if that takes more than a minute.
+/// Waits until no program holds the lock of an output. The runs of a killed sweep, or of a cancelled task of
+/// Slurm, hold the lock until their current step has ended. Throws Error (input) as OutputLock does if that
+/// takes more than a minute.
 void wait_until_unlocked(const std::filesystem::path& output);
 
 }  // namespace sherd

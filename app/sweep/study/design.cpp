@@ -43,7 +43,8 @@ std::vector<std::size_t> shuffled(std::size_t count, Random& random) {
     return order;
 }
 
-/// Value of a parameter at a share of its distribution.
+/// Returns the value of a parameter at a share of its distribution, or of its list, whose values have equal
+/// shares.
 std::string value_at(const StudyParameter& parameter, double share) {
     if (parameter.drawn) return fmt::format("{:.12g}", parameter.drawn->quantile(share));
     const auto count = static_cast<double>(parameter.values.size());
@@ -62,7 +63,7 @@ Points drawn_points(const Study& study) {
             const double share = strata.empty()
                                      ? within
                                      : (static_cast<double>(strata[i]) + within) / static_cast<double>(count);
-            // The ends of a normal distribution are infinite.
+            // The shares 0 and 1 are excluded, since the ends of a normal distribution are infinite.
             points[i].push_back(value_at(parameter, std::clamp(share, 0x1p-53, 1 - 0x1p-53)));
         }
     }

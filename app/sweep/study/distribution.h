@@ -7,14 +7,15 @@ namespace sherd {
 struct Distribution {
     enum class Kind {
         uniform,      ///< from a to b
-        log_uniform,  ///< from a to b, the logarithm is uniform
+        log_uniform,  ///< from a to b, with a uniform logarithm
         normal,       ///< mean a, standard deviation b
         lognormal     ///< median a; b: standard deviation of the natural logarithm
     };
     Kind kind = Kind::uniform;
     double a = 0, b = 1;
 
-    /// Number below which a share of the distribution lies. share: between 0 and 1, both excluded.
+    /// Returns the number below which a share of the distribution lies. share: between 0 and 1, both
+    /// excluded.
     double quantile(double share) const;
 };
 

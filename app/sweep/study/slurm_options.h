@@ -6,12 +6,13 @@
 
 namespace sherd {
 
-/// Options of Slurm; empty or 0: by estimate, or Slurm's own default.
+/// Options of Slurm. An empty time or memory, or a chunk of 0, is estimated; for an empty partition or
+/// account Slurm has defaults.
 struct SlurmOptions {
     std::string partition, account;
     std::string time;       ///< time of a task, as sbatch reads it
     std::string memory;     ///< memory of a task, as sbatch reads it
-    std::size_t chunk = 0;  ///< rows of a task
+    std::size_t chunk = 0;  ///< number of rows of a task
 };
 
 }  // namespace sherd

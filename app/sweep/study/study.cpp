@@ -27,7 +27,7 @@ constexpr std::string_view advice =
     "give a list, { from, to, steps }, { from, to, step }, or { uniform = [from, to] } or another "
     "distribution";
 
-/// A value as TOML: numbers as short as they can be, strings in double quotes where that is possible.
+/// Returns a value as TOML: numbers as short as they can be, strings in double quotes where that is possible.
 std::string toml_text(const toml::node& node) {
     if (const auto* text = node.as_string(); text && text->get().find_first_of("\"\\\n") == std::string::npos)
         return "\"" + text->get() + "\"";
@@ -41,7 +41,7 @@ std::string number_text(double value) {
     return fmt::format("{:.12g}", value);  // 0.3, not 0.30000000000000004
 }
 
-/// Reads a parameter.
+/// Reads a parameter of a study.
 class ParameterReader {
   public:
     ParameterReader(const toml::node& node, std::string name, Problems& problems)
@@ -152,7 +152,8 @@ class ParameterReader {
     StudyParameter parameter;
 };
 
-/// Adds the parameters in a table. Dotted keys are tables in tables; a table in braces is a parameter.
+/// Adds the parameters in a table to `found`. A nested table comes from dotted keys, and has further
+/// parameters; an inline table, in braces, describes a parameter.
 void add_parameters(std::vector<std::pair<toml::source_position, StudyParameter>>& found,
                     const toml::table& table, const std::string& path, Problems& problems) {
     for (const auto& [key, node] : table) {
@@ -164,8 +165,8 @@ void add_parameters(std::vector<std::pair<toml::source_position, StudyParameter>
     }
 }
 
-/// Reads the parameters of a study's table `parameters`, in the order of the file. Dotted keys are those of
-/// the scene. Mistakes are added to the problems.
+/// Returns the parameters in a study's table `parameters`, in the order of the file. Their dotted keys are
+/// keys of the scene. Mistakes are added to the problems.
 std::vector<StudyParameter> read_parameters(const toml::table& table, Problems& problems) {
     std::vector<std::pair<toml::source_position, StudyParameter>> found;
     add_parameters(found, table, "", problems);
@@ -204,7 +205,8 @@ void read_design(TomlTable& root, Study& study) {
     study.repeats = root.integer("repeats", 1, most_samples, study.repeats);
 }
 
-/// Reports mistakes that only all parameters together show.
+/// Reports mistakes that show only if all parameters, the design and the number of repeats are considered
+/// together.
 void require_rows(TomlTable& root, const Study& study) {
     const bool draws = study.design == Design::latin || study.design == Design::random;
     double rows = static_cast<double>(draws ? study.samples : 1);
@@ -269,7 +271,8 @@ SlurmOptions read_slurm(TomlTable& table) {
     return slurm;
 }
 
-/// Removes the table `quick`, if there is one, and puts its keys over the others if `quick` is true.
+/// Removes the table `quick`, if there is one, and replaces keys of the study by the keys in it if `quick` is
+/// true.
 void apply_quick(toml::table& document, bool quick) {
     toml::table* changes = document.get_as<toml::table>("quick");
     if (!changes) return;

@@ -13,7 +13,7 @@
 namespace sherd {
 namespace {
 
-/// Columns of every table, apart from those of the study.
+/// Columns of every study's table besides parameters, measures and keys of a Python file.
 constexpr std::array<std::string_view, 11> fixed_columns{
     "row",     "seed",       "exit",       "wall_seconds", "cpu_seconds", "message",
     "command", "scene_hash", "files_hash", "program_hash", "recording"};

@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Number of mistakes in a message; the others are counted.
+/// Largest number of mistakes that a message lists; further ones are only counted.
 constexpr std::size_t most_mistakes = 10;
 
 std::string without_quotes(const std::string& value) {
@@ -33,7 +33,8 @@ std::string without_quotes(const std::string& value) {
     return quoted ? value.substr(1, value.size() - 2) : value;
 }
 
-/// Puts a value into an assignment. A whole value keeps its quotes; inside another value it loses them.
+/// Returns an assignment: `pattern` with `value` in place of each {}. A string keeps its quotes if the
+/// pattern is KEY={}, and loses them inside a longer value.
 std::string filled(const std::string& pattern, const std::string& value) {
     const bool whole = pattern.ends_with("={}");
     std::string text = pattern;
@@ -47,7 +48,7 @@ fs::path beside(const Study& study, const std::string& name) {
     return fs::absolute(study.file).parent_path() / name;
 }
 
-/// Returns a file beside the study, or a scene that comes with the program.
+/// Returns the file of a study's scene: a file in the study's folder, or a scene that comes with the program.
 fs::path scene_of(const Study& study) {
     std::error_code ignored;
     for (const char* ending : {"", ".toml"})
@@ -70,7 +71,7 @@ SceneChoice choice_of(const Study& study, const std::vector<std::string>& values
     return choice;
 }
 
-/// Hashes of files, each read once.
+/// Hashes of files; each file is read only once.
 class FileHashes {
   public:
     std::uint64_t of(const fs::path& file) {
@@ -89,7 +90,7 @@ std::uint64_t settings_hash(const Scene& scene) {
     return sum;
 }
 
-/// Hash of all files that a setting names: meshes, textures, grids, lists.
+/// Returns the hash of all files that settings of a scene name: meshes, textures, grids, lists.
 std::uint64_t files_hash(const Scene& scene, FileHashes& hashes) {
     std::uint64_t sum = checksum("");
     for (const auto& [key, value] : scene.settings) {
@@ -110,7 +111,7 @@ std::string centre_words(const CrackCentre& centre) {
     return words + fmt::format(" radii {}", fmt::join(centre.radii, " "));
 }
 
-/// Reads scenes row by row, and collects their mistakes.
+/// Reads the scenes of rows, one after the other, and collects the mistakes in them.
 class RowReader {
   public:
     RowReader(const Study& study, StudyRows& all) : study(study), all(all) {
@@ -147,7 +148,7 @@ class RowReader {
         refuse(error.what());
     }
 
-    /// Builds the scene of a row.
+    /// Builds the scene of a row, to find mistakes that reading does not show.
     void build(const StudyRow& row) try {
         std::vector<std::string> warnings;
         build_scene(parse_scene(text, all.scene, row.choice), warnings);
@@ -155,7 +156,8 @@ class RowReader {
         refuse(error.what());
     }
 
-    /// To be called after all rows: a measure of a support may have no value in some of them.
+    /// Must be called after all rows have been added, since a support in a measure's name may exist in some
+    /// of the rows only.
     void require_supports() {
         for (const std::string& measure : study.measures)
             if (const std::string mistake = support_error(measure, supports); !mistake.empty())
@@ -181,11 +183,12 @@ class RowReader {
     bool has_variants = false;
     std::uint64_t measured = 0;
     FileHashes hashes;
-    std::set<std::string> supports;  ///< supports in all rows, by their names in measures
+    std::set<std::string> supports;  ///< supports and obstacles of all rows, by their names in measures
     std::vector<std::string> mistakes;
 };
 
-/// Returns the rows with the first, smallest and largest values, and with each value that is no number.
+/// Returns the first row and, for each parameter, the rows with its smallest and its largest number, and a
+/// row for each value that is no number.
 std::set<std::size_t> rows_to_build(const Study& study, const std::vector<StudyRow>& rows) {
     std::set<std::size_t> chosen;
     if (!rows.empty()) chosen.insert(0);

@@ -18,7 +18,7 @@ std::string quoted_cell(const std::string& cell) {
     return quoted + "\"";
 }
 
-/// Reads one row after the other.
+/// Reads the rows of a text one after the other.
 class CsvReader {
   public:
     CsvReader(std::string_view text, const std::filesystem::path& file)
@@ -55,7 +55,7 @@ class CsvReader {
         return row;
     }
 
-    /// Reads from the quote that begins a cell to the one that ends it.
+    /// Reads a cell in quotes, from the quote that begins it to the quote that ends it.
     void read_quoted(std::string& cell) {
         const std::size_t begin = line;
         for (++at; at < text.size(); ++at) {

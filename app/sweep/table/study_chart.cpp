@@ -20,7 +20,7 @@ ChartAxis axis_of(const StudyColumn& column, bool logarithmic) {
     return {.name = column.name, .unit = column.unit, .logarithmic = logarithmic};
 }
 
-/// Adds dots of rows, and means if several have the same x.
+/// Adds a series of dots, one for each row (x, y), and a series of means if several rows have the same x.
 void add_series(Chart& chart, const std::string& name, const char* colour,
                 const std::vector<Vector2d>& rows) {
     std::map<double, std::vector<double>> by_x;
@@ -42,7 +42,7 @@ void add_series(Chart& chart, const std::string& name, const char* colour,
     chart.series.push_back(std::move(means));
 }
 
-/// Returns the different values of a column, sorted as numbers if they are.
+/// Returns the different values of a column, sorted as numbers if they are numbers.
 std::vector<std::string> sorted_values(const StudyColumn& column) {
     const std::set<std::string> different(column.cells.begin(), column.cells.end());
     std::vector<std::string> values(different.begin(), different.end());

@@ -10,18 +10,18 @@ namespace sherd {
 
 /// Columns and axes of a chart of a table.
 struct StudyAxes {
-    std::string x, y;     ///< columns
-    std::string by = {};  ///< column whose values have a colour each; empty: none
+    std::string x, y;     ///< names of the columns
+    std::string by = {};  ///< name of the column each of whose values has its own colour; empty: none
     bool log_x = false, log_y = false;
 };
 
-/// Returns a chart with a dot for each row; where several rows have the same x, with their mean and its
-/// interval by the bootstrap, and a line through the means. Throws Error (input) if there is no such column,
-/// or no row with both numbers.
+/// Returns a chart with a dot for each row. Where several rows have the same x, it also has their mean, with
+/// its interval by the bootstrap, and a line through the means. Throws Error (input) if a column is missing,
+/// or if no row has numbers in both.
 Chart study_chart(const StudyTable& table, const StudyAxes& axes);
 
-/// Returns an SVG file with charts of all measures over the first parameter that has several numbers for its
-/// values; "" without such a parameter.
+/// Returns the text of an SVG file with charts of all measures over the first parameter that has several
+/// different numbers; "" without such a parameter.
 std::string summary_svg(const Study& study, const StudyTable& table);
 
 }  // namespace sherd

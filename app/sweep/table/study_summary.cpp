@@ -14,7 +14,8 @@ std::string estimate_cell(double value) {
     return std::isfinite(value) ? fmt::format("{:.6g}", value) : "";
 }
 
-/// Returns the range of rows of each point, which are consecutive.
+/// Returns, for each point, the index of its first row and the one after its last row: rows of a point are
+/// consecutive.
 std::vector<std::pair<std::size_t, std::size_t>> point_ranges(const StudyRows& rows) {
     std::vector<std::pair<std::size_t, std::size_t>> ranges;
     for (std::size_t i = 0; i < rows.rows.size(); ++i) {

@@ -8,9 +8,9 @@
 
 namespace sherd {
 
-/// Returns a row for each point of a study: the parameters, the numbers of rows that are done and that
-/// failed, and for each measure the mean of its rows with its interval, in the columns NAME, NAME.low and
-/// NAME.high.
+/// Returns a table with a row for each point of a study: its parameters, the numbers of its rows that are
+/// done and that have failed, and for each measure the mean over its rows and the confidence interval, in the
+/// columns NAME, NAME.low and NAME.high.
 CsvRows study_summary(const StudyRows& rows, const StudyTable& table);
 
 }  // namespace sherd

@@ -17,7 +17,8 @@
 namespace sherd {
 namespace {
 
-/// Makes a column. cell: returns the cell of a row from its result, null if it has none.
+/// Makes a column. cell: function of a row and its result, or null if there is none, that returns the text of
+/// the cell.
 template <class Cell>
 StudyColumn make_column(const std::string& group, const std::string& name, const std::string& unit,
                         const StudyRows& rows, const RowResults& results, Cell cell) {
@@ -33,7 +34,8 @@ std::string number_cell(double value) {
     return fmt::format("{}", value);
 }
 
-/// Names of measures that the study asks for; if it asks for none, of all that its rows have.
+/// Returns the names of the measures that the study asks for; if it asks for none, of all measures that its
+/// rows have.
 std::vector<std::string> measure_names(const Study& study, const StudyRows& rows, const RowResults& results) {
     if (!study.measures.empty()) return study.measures;
     std::vector<std::string> names;
@@ -47,7 +49,7 @@ std::vector<std::string> measure_names(const Study& study, const StudyRows& rows
     return names;
 }
 
-/// Keys of the study's Python file, in the order in which rows have them.
+/// Returns the keys that the study's Python file gives, in the order in which they appear in the rows.
 std::vector<std::string> python_names(const StudyRows& rows, const RowResults& results) {
     std::vector<std::string> names;
     for (const StudyRow& row : rows.rows)

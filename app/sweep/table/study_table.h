@@ -13,32 +13,36 @@
 
 namespace sherd {
 
-/// A column of a study's table; a cell is empty if a row has no value.
+/// A column of a study's table. A cell is empty if its row has no value.
 struct StudyColumn {
-    std::string group;  ///< group in the .h5: "parameters", "measures", "python" or "run"
+    std::string group;  ///< group in the .h5 file: "parameters", "measures", "python" or "run"
     std::string name, unit;
     std::vector<std::string> cells;
 
-    /// Returns the cells as numbers, NaN if a cell is none.
+    /// Returns the cells as numbers, NaN for a cell that is no number.
     std::vector<double> numbers() const;
 };
 
-/// Table with a row for each run, in the order of the study, whether it has been run or not.
+/// Table of a study, as columns. It has a row for each row of the study, in the study's order, whether the
+/// row has been run or not.
 using StudyTable = std::vector<StudyColumn>;
 
-/// Returns the table of a study. folder: that of the sweep, with the recordings.
+/// Returns the table of a study. folder: folder of the sweep, with the recordings.
 StudyTable study_table(const Study& study, const StudyRows& rows, const RowResults& results,
                        const std::filesystem::path& folder);
 
 CsvRows csv_rows(const StudyTable& table);
-/// Reads the result of csv_rows(), without groups. Throws Error (input).
+/// Reads a table from a CSV file with the rows of csv_rows(); its columns have no group. Throws Error (input)
+/// if the file cannot be read, is empty, or is no such table.
 StudyTable read_study_table(const std::filesystem::path& csv);
 
-/// Returns the column of this name, or the only one whose last part it is ("velocity" for
-/// "sheet.plate.velocity"). Throws Error (input), with the nearest name, if there is none.
+/// Returns the column of this name, or else the only column whose name ends with it behind a dot ("velocity"
+/// for "sheet.plate.velocity"). Throws Error (input), with the most similar name, if there is no such column,
+/// or several.
 const StudyColumn& find_column(const StudyTable& table, const std::string& name);
 
-/// Writes the table as HDF5: columns of numbers as doubles (NaN: none), others as texts, with their units.
+/// Writes the table as HDF5: columns of numbers as doubles with their units (NaN for an empty cell), other
+/// columns as texts. whole: lock of the sweep's output.
 void write_study_h5(const StudyTable& table, const OutputLock& whole, const std::filesystem::path& file);
 
 }  // namespace sherd

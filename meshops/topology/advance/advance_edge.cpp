@@ -16,13 +16,13 @@ namespace {
 using Eigen::Vector3d;
 using Way = AdvancedEdge::Way;
 
-constexpr double longest = 1.6, shortest_rest = 0.5;  // mean edges of the tip: an edge, the path behind it
-constexpr double on_ray = 1e-10;  // rad: an edge that is no farther from the ray lies on it
+constexpr double longest = 1.6, shortest_rest = 0.5;  // mean edges: longest edge, shortest path after its end
+constexpr double on_ray = 1e-10;                      // rad: an edge at a smaller angle to the ray lies on it
 
-/// All ways to make an edge along a ray, in a patch.
+/// All possible changes of a patch that make an edge along a ray.
 class Course {
   public:
-    /// size: the tip's mean edge, m.
+    /// size: mean length of the edges at the tip, m.
     Course(const Patch& patch, Vertex tip, SurfaceRay ray, double size, const AdvanceOptions& options)
         : patch(patch), tip(tip), ray(std::move(ray)), size(size) {
         const bool is_in_reach = options.reach <= longest * size && !this->ray.end().is_valid();
@@ -34,7 +34,7 @@ class Course {
         side = patch.mesh.next(h);
     }
 
-    /// The two neighbours of the tip beside the ray, the nearer one by its angle first.
+    /// Returns the two neighbours of the tip beside the ray, the one at the smaller angle to the ray first.
     std::array<Vertex, 2> neighbours() const {
         std::array both{patch.mesh.source(side), patch.mesh.target(side)};
         if (off_course(both[1]) < off_course(both[0])) std::swap(both[0], both[1]);
@@ -46,7 +46,7 @@ class Course {
         return std::atan2(way.cross(ray.direction()).norm(), way.dot(ray.direction()));
     }
 
-    /// Whether an edge may end at this distance, m.
+    /// Whether an edge may end at this distance (m) along the ray.
     bool may_end_at(double distance) const {
         if (ends && std::abs(distance - ray.length()) <= 1e-9 * size) return true;
         return distance > 0 && distance <= limit;
@@ -78,8 +78,8 @@ class Course {
         return all;
     }
 
-    /// Edge to a vertex beyond the side of the tip's face that the ray crosses, by a flip; no trial if the
-    /// flip is impossible.
+    /// Returns a candidate that makes an edge to `goal` by flipping `side`, if `goal` is the vertex across
+    /// it; without a trial if the flip is impossible.
     Candidate flipped_to(Vertex goal) const {
         const Halfedge over = patch.mesh.opposite(side);
         auto trial = std::make_unique<PatchTrial>(patch);
@@ -121,8 +121,7 @@ class Course {
         return corner_number(place.corners, corner) < 3;
     }
 
-    /// Crossing of the ray with the side of the tip's face opposite to the tip: its fraction of that side,
-    /// and its distance along the ray (m).
+    /// Crossing of the ray with `side`: fraction of the side, and distance (m) along the ray.
     double crossing_fraction() const {
         const Vector3d a = way_to(patch.mesh.source(side)), b = way_to(patch.mesh.target(side));
         const Vector3d normal = a.cross(b), across = normal.cross(ray.direction());
@@ -170,7 +169,7 @@ class Course {
         return inserted;
     }
 
-    /// Weights of a place in the tip's face in the order of the face's corners.
+    /// Returns the weights of a place in the first face of the ray, in the order of the corners of this face.
     Vector3d in_first_face(const SurfacePoint& place) const {
         const std::array<Vertex, 3> corners = face_corners(patch.mesh, ray.first_face());
         Vector3d weights = Vector3d::Zero();
@@ -188,8 +187,8 @@ class Course {
     SurfaceRay ray;
     double size;
     bool ends;      ///< whether an edge may end where the ray does
-    double limit;   ///< m, largest other distance at which an edge may end
-    Halfedge side;  ///< side of the tip's face opposite to the tip
+    double limit;   ///< m, largest distance at which an edge may end before that
+    Halfedge side;  ///< side opposite to the tip of the first face of the ray
 };
 
 AdvancedEdge existing_edge(const Mesh& mesh, const Patch& patch, const Course& course, Vertex tip,
@@ -203,7 +202,8 @@ AdvancedEdge existing_edge(const Mesh& mesh, const Patch& patch, const Course& c
             {}};
 }
 
-/// The vertices whose surroundings a ray's first edge may change.
+/// Returns the vertices whose surroundings may be changed to make an edge along a ray: corners of its first
+/// face, and the vertices across its sides.
 std::vector<Vertex> centres_of(const Mesh& mesh, const SurfaceRay& ray) {
     const std::array<Vertex, 3> corners = face_corners(mesh, ray.first_face());
     std::vector<Vertex> centres(corners.begin(), corners.end());

@@ -10,7 +10,7 @@
 
 namespace sherd {
 
-/// A point of a polyline, m, and its name in messages.
+/// A point of a polyline: its place, m, and its name in messages.
 struct LinePoint {
     Eigen::Vector3d place;
     std::string name;
@@ -19,31 +19,31 @@ struct LinePoint {
 /// Makes edges of a mesh along polylines, by advance_edge(). Crossing lines share a vertex.
 class LineCut {
   public:
-    /// `mesh` must outlive this. keep_vertices: faces are cut, but no vertex is moved.
+    /// `mesh` must outlive this. keep_vertices: whether faces are only cut, and no vertex is moved.
     LineCut(Mesh& mesh, bool keep_vertices);
     LineCut(const LineCut&) = delete;
     LineCut& operator=(const LineCut&) = delete;
 
-    /// Makes edges along the polyline, projected point by point to the nearest points of the original
-    /// surface. Vertices are placed at its ends and where it turns by more than 20 degrees, and at two more
-    /// points of a closed line; a line of the mesh, or a vertex that may not move, within 0.05 mean edges is
-    /// used instead. Throws Error, naming the point, if a point is farther from the mesh than the longest
-    /// edge of the nearest face, if the line leaves the mesh before a point, and if fewer than two points
-    /// differ.
+    /// Makes edges along the polyline, which is projected point by point to the nearest points of the
+    /// original surface. Vertices are placed at the ends of the polyline, where it turns by more than 20
+    /// degrees and, if it is closed, at two more points. If a line of the mesh (LineConstraints), or a vertex
+    /// that may not move, is within 0.05 mean edges of such a place, it is used instead. Throws Error, naming
+    /// the point, if a point is farther from the mesh than the longest edge of the nearest face, if the line
+    /// leaves the mesh before a point, and if fewer than two points differ.
     void cut(std::span<const LinePoint> line);
 
-    /// Edges along all lines, in order, without those on the boundary, which are open already.
+    /// Edges along all lines so far, without edges on the boundary, which are open already.
     const std::vector<Edge>& edges() const { return path; }
     double length() const;                              ///< total length of edges(), m
-    double smallest_angle() const { return smallest; }  ///< rad, of changed faces; pi if there are none
+    double smallest_angle() const { return smallest; }  ///< smallest angle of changed faces, rad; pi: none
     std::size_t moved_vertices() const { return moved.size(); }
     std::size_t inserted_vertices() const;
 
   private:
     struct Curve {
         std::vector<Eigen::Vector3d> points;
-        std::vector<std::size_t> stops;  ///< indices of the points where the path has a vertex
-        std::vector<std::size_t> ends;   ///< index in the polyline of each stop
+        std::vector<std::size_t> stops;  ///< indices in `points` of places where the path has a vertex
+        std::vector<std::size_t> ends;   ///< index in the polyline of the point of each stop
     };
 
     Curve project(std::span<const LinePoint> line) const;

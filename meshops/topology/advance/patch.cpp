@@ -30,7 +30,8 @@ std::set<Face> faces_at(const Mesh& mesh, const std::set<Vertex>& vertices) {
     return faces;
 }
 
-/// Copies faces of the mesh. Faces that cannot be added stay outside, like those beyond the rim.
+/// Copies faces of the mesh into the patch. A face that CGAL cannot add, since it does not fit, stays
+/// outside.
 void copy_faces(const Mesh& mesh, const std::set<Face>& faces, Patch& patch) {
     std::map<Vertex, Vertex> local;
     for (const Face face : faces) {

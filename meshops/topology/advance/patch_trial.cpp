@@ -15,9 +15,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double turned_over_angle = -1;  // worse than any other
+constexpr double turned_over_angle = -1;  // less than any other angle
 
-/// The smallest angle of a triangle; turned_over_angle if it faces away from `normal`.
+/// Returns the smallest angle of a triangle; turned_over_angle if the triangle faces away from `normal`.
 double upright_angle(const std::array<Vector3d, 3>& corners, const Vector3d& normal) {
     return triangle_normal(corners).dot(normal) > 0 ? smallest_angle(corners) : turned_over_angle;
 }

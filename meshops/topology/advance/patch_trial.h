@@ -6,7 +6,7 @@
 
 namespace sherd {
 
-/// A change that is tried on a copy of a patch, and can then be applied to the mesh.
+/// A change of a copy of a patch, which is tried there and can then be applied to the mesh.
 class PatchTrial {
   public:
     explicit PatchTrial(const Patch& patch);
@@ -14,7 +14,7 @@ class PatchTrial {
     PatchTrial& operator=(const PatchTrial&) = delete;
 
     const Mesh& mesh() const { return sheet; }
-    /// The operations of Retriangulation. An inserted vertex is fixed; halves of lines are lines.
+    /// Operations as in Retriangulation. An inserted vertex is fixed; the halves of a line are lines.
     Vertex split_edge(Halfedge h, double t);
     Vertex split_face(Face face, const Eigen::Vector3d& weights);
     void move(Vertex vertex, const SurfacePoint& place);
@@ -38,7 +38,7 @@ class PatchTrial {
         TopologyChange change;
         std::vector<Vertex> vertices;  ///< vertex of the mesh for each vertex of the trial
     };
-    /// Applies the change to the mesh from which the patch was taken.
+    /// Applies the change to `to`, the mesh from which the patch was taken.
     Applied apply(Mesh& to) const;
 
   private:

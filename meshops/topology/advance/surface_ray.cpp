@@ -14,14 +14,15 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr int most_faces = 200;  // faces of a ray: with more, round-off makes it circle around a vertex
+constexpr int most_faces = 200;  // most faces of a ray; beyond, round-off makes it circle around a vertex
 
 struct RayStart {
     Halfedge opposite;  ///< side of the first face opposite to the tip
     Vector3d direction;
 };
 
-/// The start of a ray among the faces around a vertex, as seen along its normal.
+/// Finds the face at the vertex `tip` in which a ray in the direction `wanted` begins, as seen along the
+/// normal of the vertex. Returns nullopt if the ray points off the sheet.
 std::optional<RayStart> ray_start(const Mesh& mesh, Vertex tip, const Vector3d& wanted) {
     constexpr double round_off = 1e-9;
     const Vector3d normal = vertex_normal(mesh, tip).normalized(), centre = position(mesh, tip);
@@ -48,13 +49,14 @@ std::optional<RayStart> ray_start(const Mesh& mesh, Vertex tip, const Vector3d& 
     return start;
 }
 
-/// Exit of a line from a face: the side, and the distance (m) along the line.
+/// Exit of a line from a face: the side of the face, and the distance (m) along the line.
 struct Exit {
     Halfedge side;
     double distance;
 };
 
-/// Finds where a line in the plane of a face leaves it. sides: those through which it may leave.
+/// Finds where the line from `from` in the direction `along`, in the plane of a face, leaves the face. sides:
+/// the sides of the face through which the line may leave.
 Exit exit_through(const Mesh& mesh, std::span<const Halfedge> sides, const Vector3d& from,
                   const Vector3d& along) {
     const Vector3d normal = triangle_normal(face_points(mesh, mesh.face(sides.front())));
@@ -69,7 +71,7 @@ Exit exit_through(const Mesh& mesh, std::span<const Halfedge> sides, const Vecto
     return exit;
 }
 
-/// A direction in the plane of the face at h turned about h into the plane of the opposite face.
+/// Turns `along`, a direction in the plane of the face of h, about h into the plane of the opposite face.
 Vector3d turned_over(const Mesh& mesh, Halfedge h, const Vector3d& along) {
     const Vector3d edge = (position(mesh, mesh.target(h)) - position(mesh, mesh.source(h))).normalized();
     const Vector3d normal = triangle_normal(face_points(mesh, mesh.face(mesh.opposite(h)))).normalized();

@@ -12,10 +12,10 @@ namespace sherd {
 /// A straight line over the faces of a surface, in each face's own plane, as if the faces were unfolded.
 class SurfaceRay {
   public:
-    /// Returns the ray from a vertex along the tangential part of `direction`. It begins in the face that
-    /// contains it in a view along the vertex's normal, and is `length` (m) long, but ends at the boundary
-    /// and at an edge for which `stops` is true. Returns nullopt if it points off the sheet, or has no
-    /// tangential part.
+    /// Returns the ray from the vertex `tip` along the part of `direction` that is tangential to the sheet.
+    /// Seen along the normal of the vertex, the ray begins in the face into which it points. Its length is
+    /// `length` (m), unless the boundary or an edge for which `stops` is true ends it before. Returns nullopt
+    /// if the ray points off the sheet, or `direction` has no tangential part.
     static std::optional<SurfaceRay> from(const Mesh& mesh, Vertex tip, const Eigen::Vector3d& direction,
                                           double length, const std::function<bool(Edge)>& stops);
 
@@ -25,18 +25,18 @@ class SurfaceRay {
     /// Unit vector of the ray at a distance (m) from its start.
     const Eigen::Vector3d& direction_at(double distance) const { return segment_at(distance).direction; }
     double length() const { return whole; }  ///< m, up to its end or to where it is stopped
-    /// Halfedge at which the ray is stopped, in the face before it; null if it is not stopped.
+    /// Halfedge of the last face at which the boundary or `stops` ends the ray; null if neither does.
     Halfedge end() const { return stop; }
-    /// Crossing of the ray with end(), as a fraction of the way from source to target.
+    /// Place where the ray meets end(), as a fraction of the halfedge from its source.
     double end_fraction() const { return stop_fraction; }
-    /// Place at a distance of at most length() from the start.
+    /// Returns the place on the ray at a distance (m) of at most length() from its start.
     SurfacePoint at(const Mesh& mesh, double distance) const;
 
   private:
     struct Segment {
         Face face;
         Eigen::Vector3d start, direction;
-        double begin;  ///< distance of its start from the ray's, m
+        double begin;  ///< distance of `start` from the start of the ray, m
     };
     const Segment& segment_at(double distance) const;
 
@@ -46,7 +46,7 @@ class SurfaceRay {
     double stop_fraction = 0;
 };
 
-/// Sum of the unit normals of the faces at a vertex, each weighted by its angle there.
+/// Returns the sum of the unit normals of the faces at a vertex, each weighted by its angle there.
 Eigen::Vector3d vertex_normal(const Mesh& mesh, Vertex vertex);
 
 }  // namespace sherd

@@ -9,22 +9,25 @@
 
 namespace sherd {
 
-/// A trial that makes the requested vertex.
+/// A trial in which a vertex is made at a requested place, by moving or inserting it.
 struct Candidate {
     std::unique_ptr<PatchTrial> trial;
-    Vertex vertex;  ///< vertex of the trial
+    Vertex vertex;  ///< the vertex, in the mesh of the trial
     AdvancedEdge::Way way;
     double distance = 0;  ///< distance of the vertex along the ray, m
     double angle = -1;    ///< smallest angle of the changed faces, rad; -1 if one has turned over
 };
 
-/// Candidate without any flips or moves of other vertices.
+/// Returns the candidate of a trial as it is, without any flips or moves of other vertices.
 Candidate plain_candidate(std::unique_ptr<PatchTrial> trial, Vertex vertex, AdvancedEdge::Way way,
                           double distance);
 
-/// Returns the first candidate, in the order of AdvancedEdge::Way, that keeps the angles of `options`. snaps:
-/// the best candidate of each vertex, preferred vertices first; cuts: in any order. Returns a candidate
-/// without a trial if none is acceptable.
+/// Chooses a candidate: the first of `snaps` that keeps options.snap_angle. If there is none, other vertices
+/// are flipped and moved; then the best of `snaps` if it keeps options.smallest_angle, or else the best of
+/// all if it does. If none does, the best of all that leave no smaller angle than the faces that they
+/// replace; or, with options.always_straight, in which no face turns over. Returns a candidate without a
+/// trial if there is none. snaps: the best candidate of each vertex that may be moved, preferred vertices
+/// first; cuts: candidates with an inserted vertex, in any order.
 Candidate chosen(std::vector<Candidate> snaps, std::vector<Candidate> cuts, const AdvanceOptions& options);
 
 }  // namespace sherd

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Plates and shells, computed from scenes, against theory and published numbers: the bounds are the measured
-// errors plus a margin. Loads, supports, gauges and paths are tested by this as much as hinges.
+// Compares plates and shells, computed from scenes, with theory and published numbers. The bounds are the
+// measured errors plus a margin. Errors of loads, supports, gauges and paths would show here as well as
+// errors of hinges.
 #include <gtest/gtest.h>
 
 #include "app/bench/shell/shell_run.h"
@@ -11,7 +12,7 @@ namespace {
 struct Bound {
     const char* name;
     double edge;
-    double error;  ///< %, of every number
+    double error;  ///< %, bound of the error of every number
     const char* membrane = "";
 };
 
@@ -57,12 +58,12 @@ INSTANTIATE_TEST_SUITE_P(Plates, ShellBench,
                                          Bound{"hyperboloid, free ends, t = 0.01", 0.1, 0.6},
                                          Bound{"hyperboloid, free ends, t = 0.001", 0.1, 1, "arc"}));
 
-// Reason for coupled hinges, and errors of the others in docs/theory/bending.md: to be corrected there when
-// they become smaller.
+// Errors of plain hinges, the reason for coupled hinges in docs/theory/bending.md: if they become smaller,
+// that page must be corrected.
 struct Range {
     const char* name;
     double edge;
-    double least, most;  ///< %, of the largest error
+    double least, most;  ///< %, range of the largest error
 };
 
 class PlainShellBench : public testing::TestWithParam<Range> {};

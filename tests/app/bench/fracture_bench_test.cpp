@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Growing cracks and breaking waves against theory, on the coarsest mesh of each experiment: if tips were
-// evaluated, turned or arrested wrongly, cracks took a wrong energy, or bending waves were too fast, the
-// tables of docs/theory/fracture.md would be wrong.
+// Compares cracks that grow, and bending waves that a break releases, with theory, on the coarsest mesh of
+// each experiment: if tips were evaluated, turned or arrested wrongly, cracks took a wrong energy, or bending
+// waves were too fast, the tables of docs/theory/fracture.md would be wrong.
 #include <gtest/gtest.h>
 
 #include "app/bench/fracture/fracture_run.h"
@@ -42,7 +42,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, FractureBench,
                                          FractureBound{"released strip", {0.03, 0.05}},
                                          FractureBound{"released strip with a scored line", {0.03, 1e-9}}));
 
-// Two random meshes must give the same crack path.
+// Two random meshes must give the same crack path, or paths would depend on the mesh.
 TEST(FractureBenchPaths, OfTwoMeshesAreTheSame) {
     const FractureCase hole = offset_hole();
     const FractureRun one = run_fracture(hole, hole.edges.front(), 1),

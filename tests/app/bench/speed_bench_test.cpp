@@ -45,7 +45,7 @@ TEST(SpeedStatistics, AreThoseOfKnownNumbers) {
     EXPECT_NEAR(fitted_exponent(points), 1.25, 1e-12);
 }
 
-// A choice that a scene refuses, or whose reference comes later in the list, would end hours of measuring.
+// Settings that a scene refuses, or whose reference comes later in the list, would end hours of measuring.
 TEST(SolverChoices, AreReadAndStandBesideEarlierOnes) {
     const std::vector<SolverChoice> choices = solver_choices();
     std::set<std::string> names;
@@ -62,11 +62,11 @@ TEST(SolverChoices, AreReadAndStandBesideEarlierOnes) {
 }
 
 TEST(Race, IsOfTheSameLapsForAll) {
-    const std::string method = "solver.method=newton";  // a factorization for each iteration
+    const std::string method = "solver.method=newton";  // makes a factorization in each iteration
     const std::vector<Scene> scenes{small_plate({"solver.bending=cubic", method}),
                                     small_plate({"solver.bending=cubic", method}),
                                     small_plate({"solver.bending=coupled", method})};
-    // Laps of milliseconds may take several times as long on a busy machine.
+    // A large allowance, since laps of milliseconds may take several times as long on a busy machine.
     const std::vector<RaceResult> results =
         race(scenes, {.step = 1e-4, .settling = 2, .laps = 3, .allowance = 1e9});
     ASSERT_EQ(results.size(), 3u);
@@ -83,8 +83,8 @@ TEST(Race, IsOfTheSameLapsForAll) {
     EXPECT_GT((results[0].end.position - results[2].end.position).cwiseAbs().maxCoeff(), 0);
 }
 
-// A race from a state continues it, except for data beyond positions and velocities: it begins with another
-// factor, and ends at other positions within the tolerance.
+// A race that begins from the state of a run must continue this run. It is given positions and velocities
+// only, and makes a factorization of its own, so that positions agree only within the tolerance.
 TEST(Race, BeginsWhereItIsTold) {
     const Scene scene = small_plate({});
     MeasuredRun before(scene);
@@ -104,12 +104,12 @@ TEST(Race, EndsForOneThatTakesTooLong) {
     EXPECT_LT(results[1].cost().steps, 3);
 }
 
-// The paper claims that the Jacobian changes the path to a minimum and not the minimum.
+// The paper claims that the choice of the Jacobian changes the path to a minimum, but not the minimum.
 TEST(PaperExperiment, OfOneEnergyEndsAtOnePlace) {
     std::vector<SolverChoice> choices = solver_choices();
     std::erase_if(choices, [](const SolverChoice& choice) { return choice.is_coupled(); });
     for (const PaperScene& scene : paper_scenes()) {
-        if (scene.name == "flag") continue;  // buckles, to either side
+        if (scene.name == "flag") continue;  // buckles to one side or the other
         const std::vector<PaperResult> results = run_paper_case({scene, scene.steps.front(), 10, 3}, choices);
         ASSERT_EQ(results.size(), choices.size());
         for (std::size_t i = 0; i < results.size(); ++i) {

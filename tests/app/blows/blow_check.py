@@ -14,7 +14,7 @@ INSIDE = 1e-9  # smallest barycentric coordinate of a point inside an element
 BISECTIONS = 40
 KNOWN = 1.5  # rad, rotation of a body in a frame below which its direction is unambiguous
 FLAT = 1e-9  # distance of an edge's end from a plane over the edge's length, below which the end is in the plane
-NEAR = 0.1  # distance from a sheet's boundary over its extent
+NEAR = 0.1  # distance of a point from a sheet's boundary over the sheet's extent, below which the point is dropped
 
 
 # Motions
@@ -196,7 +196,7 @@ def shares(u, v, w):
 
 
 def edge_crossings(one, edges_of_one, other, edges_of_other):
-    """Finds edges of two surfaces that cross. Yields the edges of either surface, times and places."""
+    """Finds edges of two surfaces that cross. Yields the edges of the one, the edges of the other, times and places."""
     first, second = overlapping(boxes(*one, edges_of_one), boxes(*other, edges_of_other))
     if one is other:
         once = first < second
@@ -259,8 +259,8 @@ def parts_of(one, other):
 def crossings_of(one, other):
     """Returns the crossings of two surfaces, or of a sheet with itself, in a frame. Returns none if all crossings are
     undone within the frame: if no vertex stays on the other side of a face and no boundary edge has crossed an edge."""
-    # vertices: by surface and vertex, the sum of signs; pairs: by pair of edges, the number; both with last time and
-    # place
+    # vertices: {(surface, surface passed, vertex): (sum of the signs of its crossings, time and place of the last)};
+    # pairs: {pair of edges: (number of crossings, time and place of the last)}
     vertices, pairs = {}, {}
     for begin, end in parts_of(one, other):
         a = (one.motion.at(begin), one.motion.at(end))

@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """blow_race SHERD [--blows N] [--first SEED] [--jobs N] [--seed SEED [--keep DIR]]: random impacts (blow_scenes.py),
 each run by the real program and checked by its recording (blow_recording.py): nothing may pass through a sheet. A run
-either holds or ends with the proper error, the latter in at most 5 % of the runs below 0.1 sheet sizes a step. A
-crossing between two frames, where no side is known, counts only if the same impact in steps of an eighth has one, too,
-or has an effect that this run lacks, and if one of the steps between the frames has one (blow_steps.py, with the Python
-module). --seed repeats one impact, and --keep leaves scenes and recordings in a folder. Exit code 1: something passed
-through, the program crashed, or too many runs did not end as they should."""
+either holds or ends with the proper error; at most 5 % of the runs with less than 0.1 sheet sizes a step may end with
+it. Where the sides of a sheet are not known, a crossing between two frames counts only if the same impact in steps of
+an eighth has a crossing, too, or an effect that this run lacks, and if one of the steps between the frames has a
+crossing (blow_steps.py, with the Python module). --seed repeats one impact, and --keep leaves scenes and recordings in
+a folder. Exit code 1: something passed through, the program crashed, or too many runs did not end as they should."""
 import os
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 import argparse  # noqa: E402

@@ -15,9 +15,9 @@ SCHEMES = ["implicit-euler"] * 4 + ["bdf2"] * 2 + ["explicit"] * 2 + ["auto"] * 
 
 @dataclasses.dataclass
 class Blow:
-    """A scene, and data for its checks. struck: the sheet that nothing may pass through, or None where its sides are
-    not known; border: why they are known: "pinned": the boundary is at rest, "closed": there is no boundary, or
-    "large": the sheet is large compared with the path."""
+    """A scene, and data for its checks. struck: the sheet that nothing may pass through, or None if its sides cannot be
+    told apart; border: why they can: "pinned": the boundary is at rest, "closed": there is no boundary, or "large": the
+    sheet is large compared with the striker's path."""
     seed: int
     kind: str
     scheme: str
@@ -48,7 +48,7 @@ def made(seed, kind, much, text, **known):
 
 
 def keyed(chance, struck, much, size, at, tilt, gap):
-    """Returns a motion into the target, as far as that can yield. size: the striker's if it rotates, else None."""
+    """Returns a motion into the target, as far as the target can yield. size: of the striker if it rotates, or None."""
     way = much.path
     if struck.border == "pinned":
         way = min(way, gap + much.size * chance.between(0.02, 0.25))

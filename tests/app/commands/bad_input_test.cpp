@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Invalid input through the real program: exit code 2, a message with the place and the fault, and nothing
-// written. Otherwise a user loses a run, a file, or the way to the mistake.
+// written. Otherwise a user would lose a run or a file, or not find the mistake.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ std::string with_mesh(const std::string& mesh) {
     return replaced(good_scene, R"({ generate = "disc", radius = 0.1, edge_length = 0.03 })", mesh);
 }
 
-/// Scene, or one with a mesh file, and the parts of the message about it.
+/// Invalid scene, or a scene with an invalid mesh file, and the parts that the error message must have.
 struct BadInput {
     std::string name;
     std::string scene;
@@ -283,7 +283,8 @@ INSTANTIATE_TEST_SUITE_P(
                     std::pair("sheet.plate.material.density=-1", "density: must be a positive number")));
 
 TEST(Usage, GoodSceneOfTheseTestsIsGood) {
-    // Otherwise every case above could fail for another reason than its own.
+    // If this scene were refused, every changed scene above could be refused for the same fault instead of
+    // its own.
     const TemporaryDirectory directory;
     directory.write("scene.toml", good_scene);
     const ProgramResult result = run_sherd({"check", "scene.toml"}, directory.path);

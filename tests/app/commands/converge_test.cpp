@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Users would trust a made-up order or limit more than the results itself.
+// `sherd converge`: users would trust a wrong order of convergence or a wrong limit more than the results.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -61,7 +61,7 @@ TEST(RunResults, OfCoupledHingesIsOfSecondOrderInTheEdges) {
     const Convergence found = convergence(tip);
     ASSERT_TRUE(found.order) << tip[0] << " " << tip[1] << " " << tip[2];
     EXPECT_NEAR(*found.order, 2, 0.7);
-    // q L^4 / (8 D) with q = 0.1 Pa and D = 250 / 3 N m
+    // Deflection of a cantilever, q L^4 / (8 D), with q = 0.1 Pa and D = 250 / 3 N m
     EXPECT_NEAR(*found.limit, 0.1 / 8 * 3 / 250, 0.02 * 1.5e-4);
 }
 
@@ -71,7 +71,7 @@ Quantity quantity(const RunResults& results, const std::string& name) {
     return *found;
 }
 
-// A gauge of stress records no displacement, which was once reported in its place, as 0 m.
+// A gauge of stress records no displacement: once a displacement of 0 m was reported instead of the stress.
 TEST(RunResults, OfAGaugeOfStressIsItsComponentsAndThePrincipalOneInPascal) {
     std::string text = strip;
     text.replace(text.find("at = [1, 0.125, 0]"), 18, "at = [0.51, 0.13, 0]\nrecord = [\"stress\"]");
@@ -81,7 +81,8 @@ TEST(RunResults, OfAGaugeOfStressIsItsComponentsAndThePrincipalOneInPascal) {
     const Quantity principal = quantity(results, "tip, principal stress, at the end");
     EXPECT_EQ(principal.unit, "Pa");
     EXPECT_EQ(quantity(results, "tip, principal stress, largest").value, principal.value) << "the load grows";
-    // 3 q (L - x)^2 / t^2 with q = 0.1 Pa, on the tensile side; a face is as long as 0.06 L
+    // Bending stress of a cantilever, 3 q (L - x)^2 / t^2, with q = 0.1 Pa, on the tensile side; a face is
+    // 0.06 L long
     EXPECT_NEAR(principal.value, 3 * 0.1 * 0.49 * 0.49 / 1e-4, 0.3 * 720);
 }
 

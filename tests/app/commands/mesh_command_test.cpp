@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `sherd mesh`: artists paint on its mesh, which must be the mesh of the scene's run.
+// `sherd mesh`: artists paint on the mesh that it writes, which must be the mesh of the scene's run.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ class MeshCommand : public testing::Test {
         std::vector<std::string> warnings;
         return read_mesh(directory.path / name, {}, warnings);
     }
-    /// Mesh of the scene written last.
+    /// Mesh of a sheet of the scene that was written last, as placed by the scene or not.
     Mesh made(bool placed, std::size_t sheet = 0) {
         std::vector<std::string> warnings;
         const Scene scene = read_scene(directory.path / "scene.toml");
@@ -83,7 +83,8 @@ TEST_F(MeshCommand, WritesMeshesThatWereScaledAndRemeshed) {
     EXPECT_NEAR(measure(read("a.obj")).area, 0.01, 1e-12);
 }
 
-// The length is in metres, whatever the unit of the file: wrong by 1000, all or no vertices would be joined.
+// The length `join` is in metres, whatever the unit of the file: if it were scaled by 1000, all or no
+// vertices would be joined.
 TEST_F(MeshCommand, JoinsWhatIsSoNearInMetres) {
     directory.write(
         "halves.obj",
@@ -134,7 +135,7 @@ TEST_F(MeshCommand, OverridesAndVariantsAreThoseOfTheScene) {
     const std::string variants = sheet_table("plate", disc_scene) +
                                  "[[variant]]\nname = \"coarse\"\nsheet.plate.mesh.edge_length = 0.05\n"
                                  "[[variant]]\nname = \"fine\"\nsheet.plate.mesh.edge_length = 0.02\n";
-    // Inline tables are replaced as a whole.
+    // --set and variants replace an inline table as a whole, so that this scene's mesh is no inline table.
     const std::string open =
         "[sheet.plate]\nplace = {}\nmaterial = { preset = \"stoneware\" }\n[sheet.plate.mesh]\n"
         "generate = \"disc\"\nradius = 0.1\nedge_length = 0.03\n" +

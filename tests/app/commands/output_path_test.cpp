@@ -12,7 +12,7 @@
 namespace sherd::test {
 namespace {
 
-/// Plate in free fall, one frame a step: no edge fails, and every frame enlarges the recording.
+/// Plate in free fall, with one frame per step: no edge fails, and every frame enlarges the recording.
 const std::string falling_plate = R"(duration = 0.004
 [sheet.plate]
 mesh = { generate = "disc", radius = 0.1, edge_length = 0.01 }
@@ -64,7 +64,7 @@ TEST(OutputPath, WhatACommandReadsIsNeverReplaced) {
     }
 }
 
-// No mesh program can open a recording with the name of a mesh.
+// No mesh program could open a recording that has the name of a mesh file.
 TEST(OutputPath, ANameOfAnotherKindOfFileIsAnErrorWithTheRightOne) {
     const TemporaryDirectory directory;
     directory.write("scene.toml", falling_plate);
@@ -102,7 +102,7 @@ TEST(OutputPath, AFullDiskEndsTheRunAndKeepsTheFramesWritten) {
     const TemporaryDirectory directory;
     directory.write("scene.toml", falling_plate);
     ProgramLimits limits;
-    limits.file_bytes = 600'000;  // bytes, of about 1'000'000
+    limits.file_bytes = 600'000;  // the whole recording has about 1'000'000 bytes
     const ProgramResult full = run_sherd({"run", "scene.toml", "-o", "out.h5"}, directory.path, limits);
     EXPECT_EQ(full.exit_code, 1) << full.out << full.err;
     EXPECT_NE(full.err.find("out.h5"), std::string::npos) << full.err;

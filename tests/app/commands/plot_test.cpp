@@ -39,7 +39,7 @@ TEST(PlotTicks, AreRound) {
     expect_numbers_near(logarithmic_ticks(1, 20), {1, 2, 5, 10, 20});
 }
 
-// Researchers look for the peak of one step among a million.
+// Researchers look for a peak of one step among a million, which must not be thinned out.
 TEST(PlotThinning, KeepsTheExtremesAndTheEnds) {
     std::vector<Vector2d> points;
     for (int i = 0; i < 100000; ++i) points.emplace_back(i, i % 7);
@@ -93,7 +93,7 @@ TEST(Plot, FragmentSizesShareOutTheSheet) {
     EXPECT_NEAR(area, std::accumulate(run.header.rest_area.begin(), run.header.rest_area.end(), 0.0), 1e-14);
 }
 
-// Nine charts with their units, in XML that remains valid with a strange scene name.
+// The plot has nine charts with units, in XML that remains valid with a strange scene name.
 TEST(Plot, DrawsChartsWithUnits) {
     const TemporaryDirectory folder;
     record(synthetic_run(), folder.path / "run.h5");
@@ -107,7 +107,7 @@ TEST(Plot, DrawsChartsWithUnits) {
     EXPECT_EQ(count(svg, "<circle"), 3) << "a dot for each fragment";
 }
 
-// An empty chart would claim an empty balance.
+// An empty chart would look like a balance in which nothing was lost.
 TEST(Plot, HasNoChartOfABalanceThatWasNotRecorded) {
     const TemporaryDirectory folder;
     record(synthetic_run(), folder.path / "run.h5");
@@ -117,7 +117,8 @@ TEST(Plot, HasNoChartOfABalanceThatWasNotRecorded) {
     EXPECT_EQ(count(svg, "Work and losses"), 0);
 }
 
-// Loads and speeds of tips, with gaps where a tip does not exist; no empty charts without tips.
+// Loads and speeds of tips have charts, with gaps where a tip does not exist. Without tips there are no
+// charts.
 TEST(Plot, ShowsTipsOfCracksOverTime) {
     SyntheticRun run = synthetic_run();
     add_tips(run);
@@ -133,7 +134,7 @@ TEST(Plot, ShowsTipsOfCracksOverTime) {
     EXPECT_EQ(count(svg, "nan") + count(svg, "inf"), 0);
 }
 
-// A run that diverged must still have a plot of the time before.
+// A run that diverged must still have a plot of the time before it diverged.
 TEST(Plot, LeavesGapsWhereNumbersAreNotFinite) {
     SyntheticRun run = synthetic_run();
     run.steps[2][3].kinetic = std::numeric_limits<double>::quiet_NaN();
@@ -163,7 +164,7 @@ TEST(Plot, RefusesARunThatHasJustBegun) {
     EXPECT_THROW(plot_svg(Recording(folder.path / "run.h5")), Error);
 }
 
-// A chart for each quantity, of the gauges that record it.
+// Each quantity that gauges record has a chart of its own, with only the gauges that record it.
 TEST(Plot, DrawsWhatGaugesRecord) {
     const TemporaryDirectory folder;
     SyntheticRun run = synthetic_run();

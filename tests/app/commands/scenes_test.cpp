@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs the shipped scenes whole, through the real program, and checks the invariants of any run in every
-// frame. Also reports the numbers of fragments and of single faces among them.
+// Runs the shipped scenes to their end, through the real program, and checks in every frame what must hold
+// for any run: otherwise runs could break a law without a message.
 #include <CGAL/boost/graph/helpers.h>
 #include <gtest/gtest.h>
 
@@ -38,11 +38,12 @@ void expect_manifold(const Snapshot& frame) {
         for (const auto& face : frame.faces)
             incident += std::count(face.begin(), face.end(), static_cast<Index>(vertex));
         if (fan != incident) ADD_FAILURE() << "vertex " << vertex.idx() << " has more than one fan";
-        if (mesh.number_of_vertices() > 4000) break;  // quadratic; the corner rule checks the rest
+        if (mesh.number_of_vertices() > 4000) break;  // the loop is quadratic; the corner rule checks all
     }
 }
 
-/// Faces must keep their size at rest, or divide it where cracks split them; nothing may be lost or added.
+/// Faces must keep their size at rest, or share it out where cracks split them; no mass or area may be lost
+/// or added.
 void expect_same_matter(const Snapshot& frame, const Snapshot& first) {
     EXPECT_NEAR(frame.mass.sum(), first.mass.sum(), 1e-13 * first.mass.sum());
     ASSERT_EQ(frame.rest.faces.size(), frame.faces.size());
@@ -62,13 +63,14 @@ void expect_same_matter(const Snapshot& frame, const Snapshot& first) {
     EXPECT_TRUE(!is_unchanged || frame.rest.area == first.rest.area);
 }
 
-/// Nothing may pass through anything, except for crack faces (lips), by less than a tenth of the thickness.
+/// Faces must not pass through each other, except for crack faces (lips), whose overlap is limited to a tenth
+/// of the thickness elsewhere.
 void expect_no_intersection(const Snapshot& frame) {
     for (const auto& [a, b] : test::frame_intersections(frame).passing)
         ADD_FAILURE() << "faces " << a.idx() << " and " << b.idx() << " pass through each other";
 }
 
-/// Edge states and vertices must be those of the corner rule for the failed edges, in the mesh at rest.
+/// Edge states and vertices must agree with the corner rule, applied to the failed edges of the mesh at rest.
 void expect_corner_rule(const Snapshot& frame) {
     const auto at_rest = [&](std::size_t edge) {
         return CornerRule::ordered(frame.original[frame.edges[edge][0]],
@@ -104,7 +106,7 @@ void expect_momentum(const std::vector<StepReport>& steps, double mass, const Ve
     }
 }
 
-/// Without prescribed motion no step may add energy, whatever fractures and collides in it.
+/// Without prescribed motion no step may add energy, whatever fractures and collides.
 void expect_no_energy_from_nowhere(const std::vector<StepReport>& steps) {
     const auto energy = [](const StepReport& step) {
         return step.kinetic + step.bending + step.membrane + step.gravity + step.contact;
@@ -114,21 +116,21 @@ void expect_no_energy_from_nowhere(const std::vector<StepReport>& steps) {
             << "step " << steps[i].step;
 }
 
-/// Energy residual: if it were larger, a force would be missing in the balance, or the reported losses be
-/// wrong.
+/// Checks the energy residual: if it were larger, a force would be missing in the balance, or the reported
+/// losses would be wrong.
 void expect_balance(const std::vector<StepReport>& steps, bool is_explicit) {
     double largest = 0, unexplained = 0;
     for (const StepReport& step : steps) {
         largest = std::max({largest, step.kinetic, step.bending, step.membrane, step.contact});
         unexplained = std::max(unexplained, std::abs(step.unexplained));
     }
-    // Implicit Euler dissipates energy; central differences neither dissipate nor add any, apart from an
-    // oscillation.
+    // Implicit Euler dissipates energy. Central differences neither dissipate nor add energy, which only
+    // oscillates a little.
     EXPECT_GT(steps.back().lost_to_scheme, is_explicit ? -1e-3 * largest : 0);
     EXPECT_LT(unexplained, 1e-6 * largest);
 }
 
-// Expected result of the scene: large fragments, not dust.
+// The scene must break into large fragments, not into dust.
 void expect_shards(const Snapshot& last) {
     std::map<Index, std::size_t> faces;
     for (const Index fragment : last.face_fragment) ++faces[fragment];
@@ -142,11 +144,11 @@ void expect_shards(const Snapshot& last) {
     EXPECT_GE(large, 3);
 }
 
-/// Scene of the project, and settings that make the run shorter.
+/// Shipped scene, and settings that make its run shorter.
 struct ShippedScene {
     std::string name;
-    std::string duration = {};        ///< s; empty: the scene's own
-    std::string short_duration = {};  ///< s, in the short form of a long test
+    std::string duration = {};        ///< s, of the test; empty: the scene's own
+    std::string short_duration = {};  ///< s, of the short form of a long test; empty: the scene's own
     std::vector<std::string> settings = {};
 };
 
@@ -206,7 +208,8 @@ std::string name_of(const testing::TestParamInfo<ShippedScene>& scene) {
     return scene.param.name;
 }
 
-// Long scenes are shortened, or have coarser meshes: tests/benchmarks/contact_table.py runs them whole.
+// Long scenes are shortened, or have coarser meshes. tests/benchmarks/contact_table.py runs them to their
+// end.
 INSTANTIATE_TEST_SUITE_P(Breaking, WholeScene,
                          testing::Values(ShippedScene{"plate_drop"},
                                          ShippedScene{"bowl_on_anvil", "0.008", "0.008"}),

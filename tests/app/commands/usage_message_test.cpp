@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// After a slip on the command line the program must name the word, and the likely one.
+// After a typing error on the command line the program must name the wrong word, and the word that was
+// probably meant.
 #include <gtest/gtest.h>
 
 #include "tests/support/program/program.h"
@@ -35,7 +36,8 @@ TEST(UsageMessage, TheNearestOptionIsSuggested) {
     expect_usage_error({"--versoin"}, {"'--versoin' is no option; did you mean '--version'?"});
 }
 
-// Both must be reported: CLI11 finds a missing option, the cause is its misspelling.
+// CLI11 reports that an option is missing, but the cause is that it was misspelt: both must be in the
+// message.
 TEST(UsageMessage, AMisspeltOptionThatIsMissingIsToldWithIt) {
     expect_usage_error(
         {"cut", "a.obj", "--edges", "cracks.txt", "--ouput", "b.obj"},

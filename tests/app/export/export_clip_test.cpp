@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files with all frames, read back byte by byte: pc2, mdd, glb.
+// Exported files that contain all frames (pc2, mdd, glb), read back byte by byte.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Vertex of the frame from which a vertex of the last frame was split, by the recorded splits.
+/// Vertex of a frame from which `vertex` of the last frame was split, directly or by several recorded splits.
 Index ancestor(const SyntheticRun& run, Index vertex, std::size_t frame) {
     std::map<Index, Index> parent;
     for (const CrackEvents& events : run.events)
@@ -23,7 +23,7 @@ Index ancestor(const SyntheticRun& run, Index vertex, std::size_t frame) {
     return vertex;
 }
 
-/// Positions of the last frame's vertices in each frame.
+/// Positions that the last frame's vertices, or their ancestors, have in each frame.
 std::vector<Cloud> expected_clouds(const SyntheticRun& run) {
     std::vector<Cloud> clouds;
     for (std::size_t k = 0; k < run.frames.size(); ++k) {
@@ -34,7 +34,7 @@ std::vector<Cloud> expected_clouds(const SyntheticRun& run) {
     return clouds;
 }
 
-/// Options that make the synthetic run's frames, 0.1 s apart, the samples of a cache.
+/// Options with which the samples of a cache are the frames of the synthetic run, 0.1 s apart.
 ExportOptions of_frames(ExportOptions options) {
     options.slow = {1, 10};
     return options;
@@ -76,7 +76,8 @@ TEST_F(Export, MddIsBigEndianAndKnowsTheTimes) {
     EXPECT_TRUE(mdd.at_end());
 }
 
-// A cache is played at its rate: between frames positions are linear.
+// Other programs play a cache at its own rate, so that slow motion needs samples between frames, where
+// positions must be linear in time.
 TEST_F(Export, CachesAreSlowMotion) {
     ExportOptions wanted = options("pc2", "out.pc2");
     EXPECT_EQ(export_recording(wanted).pace,
@@ -84,7 +85,7 @@ TEST_F(Export, CachesAreSlowMotion) {
     const std::vector<Cloud> clouds = expected_clouds(run);
     Bytes pc2(bytes("out.pc2"), 28);
     ASSERT_EQ(pc2.next<std::int32_t>(), 97);
-    for (std::size_t i = 0; i < 97; ++i) {  // 48 from frame to frame
+    for (std::size_t i = 0; i < 97; ++i) {  // 48 samples from frame to frame
         const std::size_t before = std::min<std::size_t>(i / 48, 1);
         const float share = static_cast<float>(i - 48 * before) / 48;
         for (std::size_t v = 0; v < clouds[0].size(); ++v)
@@ -115,7 +116,8 @@ TEST_F(Export, SolidCachesFitTheirSolidMesh) {
     EXPECT_EQ(bytes("out.pc2").size(), 32 + 3 * 12 * mesh.number_of_vertices());
 }
 
-// Existing files are checked before anything is written; here it is the mesh of the cache.
+// Existing files must stop the export before anything is written: here the mesh that belongs to the cache
+// exists.
 TEST_F(Export, CacheKeepsAMeshThatIsThere) {
     folder.write("out.obj", "the only copy");
     const auto before = folder.contents();
@@ -138,7 +140,7 @@ bool is_closed(const std::vector<std::uint32_t>& indices, const Cloud& points) {
     });
 }
 
-/// Positions of the recorded corners of a fragment of the last frame in a frame, face by face.
+/// Positions in a frame of the corners of a fragment of the last frame, face by face.
 Cloud corners(const SyntheticRun& run, Index fragment, std::size_t frame) {
     Cloud cloud;
     for (std::size_t f = 0; f < run.frames.back().faces.size(); ++f)
@@ -185,7 +187,7 @@ TEST_F(Export, GlbMovesFragmentsRigidly) {
         const auto q = glb.values<float>(glb.track(node, "rotation"), 4);
         Eigen::Quaternionf last(&q[0]);
         for (std::size_t k = 0; k < 3; ++k) {
-            const Eigen::Quaternionf turn(&q[4 * k]);  // x, y, z, w
+            const Eigen::Quaternionf turn(&q[4 * k]);  // order: x, y, z, w
             EXPECT_NEAR(turn.norm(), 1, 1e-6);
             EXPECT_GE(turn.dot(last), 0) << "the long way round";
             last = turn;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files of single frames, read back byte by byte: the scalar of ply, stl, pvd with vtp, solids.
+// Exported files of single frames, read back byte by byte: ply with its scalar, stl, pvd with vtp, and
+// solids.
 #include <Eigen/Geometry>
 #include <cmath>
 #include <csignal>
@@ -17,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Strain of a face in a frame, found by a search over all edges.
+/// Largest strain of a face's edges in a frame, found by a search over all edges.
 double strain_of(const Snapshot& frame, std::size_t face) {
     const std::set<Index> corners(frame.faces[face].begin(), frame.faces[face].end());
     double strain = 0;
@@ -63,7 +64,7 @@ void expect_arrays_of(const std::string& vtp, const Snapshot& frame) {
     }
 }
 
-// MeshLab shows a property of this name only.
+// MeshLab shows the property only if its name is `quality`.
 TEST_F(Export, PlyHasStrainOrAnotherScalarAsQuality) {
     const Snapshot& frame = run.frames[2];
     const auto quality = [&](const std::string& name) {
@@ -112,7 +113,7 @@ TEST_F(Export, StlFragmentsAreFiles) {
     EXPECT_EQ(read("pieces/run_000002_fragment_002.stl").number_of_faces(), 48u);
 }
 
-// tests/partners/check_pvd.py lets ParaView read it; here: every frame must be listed, with its time.
+// The .pvd file must list every frame, with its time. (tests/partners/check_pvd.py lets ParaView read it.)
 TEST_F(Export, PvdNamesAFileForEachFrame) {
     const auto files = export_recording(options("pvd", "out.pvd")).files;
     ASSERT_EQ(files.size(), 4u);
@@ -126,8 +127,8 @@ TEST_F(Export, PvdNamesAFileForEachFrame) {
     EXPECT_NE(index.find("timestep=\"0.10000000000000001\""), std::string::npos);
 }
 
-// Arrays of several zlib blocks, the last of which is full or not: otherwise ParaView would show noise, or
-// nothing.
+// Arrays must be correct if they fill several zlib blocks, with the last block full or not: otherwise
+// ParaView would show noise, or nothing.
 TEST_F(Export, VtpHoldsArraysOfAnyLength) {
     Snapshot frame = run.frames[2];
     for (const Eigen::Index vertices : {3000, 4096}) {
@@ -149,7 +150,7 @@ TEST_F(Export, SolidsAreClosedBodiesOnePerFragment) {
     }
 }
 
-// Recordings of earlier versions have no thickness: the user can give it.
+// Recordings of earlier versions have no thickness: then the user must be able to give it.
 TEST_F(Export, ThicknessComesFromTheRecordingOrTheUser) {
     run.header.rest_thickness.clear();
     set_rest(run);
@@ -197,7 +198,8 @@ TEST_F(Export, RefusesOptionsThatTheFormatDoesNotKnow) {
     EXPECT_EQ(folder.contents(), before);
 }
 
-/// Exit code of export_recording() after Ctrl-C.
+/// Exports after Ctrl-C was pressed. Returns 42 if the export was interrupted with an error that says so, 2
+/// after another error, and 0 if it was completed.
 int exit_code_after_interruption(const ExportOptions& options) {
     watch_for_interruption();
     std::raise(SIGINT);
@@ -217,7 +219,7 @@ TEST_F(Export, EndsCleanlyOnCtrlC) {
     for (const auto& [file, content] : folder.contents()) EXPECT_FALSE(file.ends_with(".part"));
 }
 
-// Each face has the number by which `sherd info` names it.
+// The stress and curvature of each face must be the numbers that `sherd info` compares.
 TEST_F(Export, PlyHasTheLargestStressAndCurvature) {
     add_fields(run);
     record(run, folder.path / "fields.h5");

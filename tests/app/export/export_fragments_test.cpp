@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Other engines continue the motion of fragments from these numbers: a body with a wrong spin would fly apart
-// differently.
+// Other engines continue the motion of fragments from exported velocities and spins: with a wrong spin a body
+// would fly apart differently.
 #include <Eigen/Geometry>
 
 #include "app/export/fragment_motion.h"
@@ -45,7 +45,8 @@ TEST(FragmentMotion, OfARigidMotionIsThatMotion) {
     EXPECT_EQ(all[1].faces, 4);
 }
 
-// Two points have no inertia about the line through them: the spin must be a number there, too.
+// All mass is in two points, which have no inertia about the line through them: the spin must still be a
+// number.
 TEST(FragmentMotion, AboutALineThereIsNoSpin) {
     Snapshot frame = two_rigid_pieces({0, 0, 0}, {0, 0, 2});
     frame.mass.tail(2).setZero();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Obstacles and free bodies in every format, read back: fragments must lie on them and be hit by them in the
-// right place.
+// Obstacles and free bodies in every format, read back: in other programs fragments must lie on them, and be
+// hit by them, in the right place.
 #include "app/export/export_obstacles.h"
 
 #include <fmt/format.h>
@@ -28,7 +28,8 @@ namespace fs = std::filesystem;
 
 const std::vector<std::string> names{"obstacle_a_b__anvil_", "obstacle_a_b__anvil__2", "obstacle_floor"};
 
-/// Recording with two tetrahedra, the second of which moves, and a floor, beside a recording without any.
+/// Two recordings: with.h5 has two tetrahedra, the second of which moves, and a floor; run.h5 has no
+/// obstacles.
 class ExportObstacles : public Export {
   protected:
     ExportObstacles() { record_with_obstacles(run, folder.path / "with.h5"); }
@@ -39,8 +40,8 @@ class ExportObstacles : public Export {
         return wanted;
     }
 
-    /// Expects that every format without obstacles equals that of a recording without any, except for the
-    /// recording's name in glb.
+    /// Expects that an export without obstacles equals the export of a recording that has none, except for
+    /// the recording's name in glb.
     void expect_left_out(ExportOptions wanted, const std::string& extension) const {
         wanted.sheets_only = true;
         wanted.output = folder.path / ("left_out" + extension);
@@ -65,7 +66,8 @@ void expect_points(const Mesh& mesh, const std::vector<Vector3d>& expected) {
     }
 }
 
-/// Object of an OBJ file: its points, and the corners of its faces, numbered in the file from 0.
+/// Object of an OBJ file: its points, and for each face the three numbers of its corners as they are in the
+/// file.
 struct ObjObject {
     std::vector<Vector3d> points;
     std::vector<std::array<int, 3>> faces;
@@ -88,7 +90,8 @@ std::map<std::string, ObjObject> objects_of(const fs::path& file) {
     return objects;
 }
 
-// Blender hides and moves objects singly; the sheets must keep their numbers.
+// Blender hides and moves objects one by one, so that obstacles must be objects; the vertices of the sheets
+// must keep their numbers.
 TEST_F(ExportObstacles, AreObjectsOfAnObj) {
     ExportOptions wanted = with("obj", "out.obj");
     export_recording(wanted);
@@ -113,7 +116,7 @@ TEST_F(ExportObstacles, AreObjectsOfAnObj) {
     expect_left_out(with("obj", ""), ".obj");
 }
 
-// A format with one mesh in a file would merge them with the sheets.
+// A PLY or STL file holds one mesh, in which obstacles would merge with the sheets.
 TEST_F(ExportObstacles, AreFilesOfTheirOwnInPlyAndStl) {
     ExportOptions wanted = with("ply", "out.ply");
     wanted.frames = "0,2";
@@ -131,8 +134,8 @@ TEST_F(ExportObstacles, AreFilesOfTheirOwnInPlyAndStl) {
     expect_left_out(with("stl", ""), ".stl");
 }
 
-// Between the keys, too, they must be where pictures and pages show them; obstacles at rest have no
-// animation.
+// Obstacles must be where pictures and pages show them, also between two keys of the animation. Obstacles at
+// rest must have no animation.
 TEST_F(ExportObstacles, AreNodesOfAGlbThatMove) {
     export_recording(with("glb", "out.glb"));
     const Glb glb(bytes("out.glb"));
@@ -176,7 +179,8 @@ TEST_F(ExportObstacles, AreNodesOfAGlbThatMove) {
     expect_left_out(with("glb", ""), ".glb");
 }
 
-// Two triangles of a tetrahedron meet at a sharp edge, those of a square do not.
+// Triangles of a tetrahedron meet at sharp edges, where each needs corners of its own. The two triangles of a
+// square share their corners.
 TEST_F(ExportObstacles, KeepSharpEdgesInAGlb) {
     export_recording(with("glb", "out.glb"));
     const Glb glb(bytes("out.glb"));
@@ -210,7 +214,7 @@ std::vector<double> numbers_of(const std::vector<Vector3d>& points) {
     return numbers;
 }
 
-// ParaView shows the parts of one time together; obstacles at rest are written once.
+// ParaView shows the parts of one time together. Obstacles at rest must be written only once.
 TEST_F(ExportObstacles, ArePartsOfAPvd) {
     const auto files = export_recording(with("pvd", "out.pvd")).files;
     ASSERT_EQ(files.size(), 3 + 3 + 2 + 1u);
@@ -234,8 +238,8 @@ TEST_F(ExportObstacles, ArePartsOfAPvd) {
     expect_left_out(with("pvd", ""), ".pvd");
 }
 
-// A cache belongs to one mesh: that of the sheets must be as without obstacles, and moving obstacles have
-// their own.
+// A cache belongs to one mesh: the cache of the sheets must be the same as without obstacles, and each moving
+// obstacle must have its own.
 TEST_F(ExportObstacles, HaveMeshesAndCachesOfTheirOwn) {
     ExportOptions wanted = with("pc2", "out.pc2");
     wanted.slow = {1, 20};  // twice as many samples as frames
@@ -287,7 +291,7 @@ TEST_F(ExportObstacles, AreGridsOfAVdb) {
     expect_left_out(with("vdb", ""), ".vdb");
 }
 
-/// Sheet in the air, with a floor, a box that moves by keys and a free ball away from it.
+/// Scene of a sheet in the air, with a floor, a box that moves by keys, and a free ball away from the sheet.
 const std::string falling = R"(duration = 0.002
 [sheet.plate]
 mesh = { generate = "rectangle", width = 0.1, height = 0.1, edge_length = 0.02 }
@@ -308,7 +312,7 @@ step = 1e-3
 every = 1e-3
 )";
 
-// Runs and exports through the real program.
+// Runs and exports through the real program: obstacles of a real run must be exported where they were.
 TEST(ExportedRun, HasItsObstaclesWhereTheyWere) {
     const TemporaryDirectory folder;
     folder.write("scene.toml", falling);

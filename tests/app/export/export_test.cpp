@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using Numbers = std::vector<std::size_t>;
 
-/// Number of faces of each `o` of an OBJ file.
+/// Number of faces of each object (line `o`) of an OBJ file.
 std::map<std::string, int> object_faces(const fs::path& file) {
     std::ifstream stream(file);
     std::map<std::string, int> faces;

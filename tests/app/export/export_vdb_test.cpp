@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Level sets, read back by OpenVDB.
+// Exported level sets, read back by OpenVDB.
 #include <openvdb/io/File.h>
 #include <openvdb/openvdb.h>
 
@@ -11,7 +11,7 @@
 namespace sherd::test {
 namespace {
 
-// Two sheets of 1 and 2 mm: the level set must be negative inside them and nowhere else.
+// The level set of two sheets, 1 mm and 2 mm thick, must be negative inside them and nowhere else.
 TEST_F(Export, VdbIsTheSheetWithItsThickness) {
     for (auto& frame : run.frames) frame.position.row(2).setZero();
     record(run, folder.path / "flat.h5");
@@ -41,7 +41,7 @@ TEST_F(Export, VdbIsTheSheetWithItsThickness) {
     EXPECT_EQ(bytes("out.vdb"), bytes("again.vdb"));
 }
 
-// OpenVDB itself writes half a file without an error.
+// On a full disk OpenVDB itself would write half a file without an error.
 TEST_F(Export, VdbThatFindsNoRoomIsAnError) {
     const ProgramResult result =
         run_sherd({"export", "run.h5", "--to", "vdb"}, folder.path, {.file_bytes = 5000});

@@ -10,7 +10,7 @@ std::string coded(const std::string& text) {
     return base64({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 
-/// RFC 4648, section 10.
+/// Test vectors of RFC 4648, section 10.
 TEST(Base64, GivesTheTestVectors) {
     EXPECT_EQ(coded(""), "");
     EXPECT_EQ(coded("f"), "Zg==");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Caches of other programs must be read exactly; damaged ones must be reported instead of used, and must not
-// take the memory that their header claims.
+// Caches of other programs must be read exactly. Damaged caches must be reported instead of used, and must
+// not take as much memory as their header claims.
 #include "app/files/point_cache.h"
 
 #include <gtest/gtest.h>
@@ -99,7 +99,7 @@ TEST_F(PointCacheFile, WithoutSamplesIsRefused) {
     expect_refused("a.mdd", CacheBytes(true).whole(0).whole(2).text, "holds no samples");
 }
 
-// Allocating what the header claims would end the program.
+// Allocating as many points as the header claims would end the program.
 TEST_F(PointCacheFile, OfHugeCountsIsRefusedBeforeItTakesMemory) {
     constexpr std::uint32_t most = 0x7fffffff;
     CacheBytes head(false);

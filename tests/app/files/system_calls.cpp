@@ -69,7 +69,7 @@ ssize_t __wrap_pwrite(int descriptor, const void* bytes, std::size_t size, off_t
     const ssize_t count =
         sherd::test::told(call, [&] { return __real_pwrite(descriptor, bytes, size, offset); });
     if (count < 0) {
-        constexpr off_t sector = 512;  // written as a whole
+        constexpr off_t sector = 512;  // bytes that a disk writes as a whole
         const int reason = errno;
         const off_t half = (offset + static_cast<off_t>(size / 2)) / sector * sector - offset;
         if (half > 0 && __real_pwrite(descriptor, bytes, static_cast<std::size_t>(half), offset) < 0)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Completions and the manual page are derived from the help. Otherwise a shell offers the wrong files for an
-// option, or none.
+// Completions and the manual page are derived from the help. If this failed, a shell would offer the wrong
+// files for an option, or none.
 #include "app/help/option_value.h"
 
 #include <gtest/gtest.h>

@@ -30,7 +30,7 @@ TEST(Measures, HaveTheFragmentsByMassAndWhatIsLeftOut) {
     for (const MeasuredFragment& fragment : all.fragments) mass += fragment.info.mass;
     EXPECT_NEAR(mass, run.frames.back().mass.sum(), 1e-15);
     EXPECT_GE(all.fragments[0].info.mass, all.fragments[1].info.mass);
-    EXPECT_EQ(all.mass_law->count, 2u);  // the law begins at the lightest
+    EXPECT_EQ(all.mass_law->count, 2u);  // the law begins at the lightest fragment, which does not count
 
     const double lightest = all.fragments[2].info.mass;
     const Measures fewer = measured(run, lightest);
@@ -81,7 +81,8 @@ TEST(Measures, TellWhatBrokeFirstAndTheLargestForces) {
     }
 }
 
-// The force at which a plate fractures is the one before: afterwards it bears less.
+// The force at which a plate fractures is that of the step before the first crack: afterwards the plate bears
+// less.
 TEST(Measures, HaveTheForcesOfAllStepsAndBeforeTheFirstCrack) {
     SyntheticRun run = synthetic_run();
     for (std::size_t k = 1; k < run.events.size(); ++k)
@@ -99,7 +100,8 @@ TEST(Measures, HaveTheForcesOfAllStepsAndBeforeTheFirstCrack) {
     EXPECT_FALSE(measured(run).tip_speeds);
 }
 
-// About another point than that of impact the cracks differ.
+// Cracks must be counted about the point that an obstacle touches first, or about a given point: about
+// another point their numbers differ.
 TEST(Measures, CountCracksAboutWhatIsSaid) {
     const TemporaryDirectory folder;
     SyntheticRun run = synthetic_run();

@@ -10,7 +10,7 @@
 namespace sherd::test {
 namespace {
 
-// A wrong estimator would still decrease with the data and look like a law.
+// A wrong estimator would still give an exponent, which would look like a result.
 TEST(PowerLaw, IsTheMostLikelyOneAndItsIntervalThatOfTables) {
     const std::vector<double> values{0.5, 1, std::exp(1.0), std::exp(2.0)};
     const auto law = power_law(values, 1);
@@ -27,7 +27,8 @@ TEST(PowerLaw, NeedsTwo) {
     EXPECT_FALSE(power_law({}, 1));
 }
 
-// The interval claims 95 of 100: for 1,000 collections with exponent 0.7, 950 +- 7.
+// The interval claims to contain the true exponent in 95 of 100 cases: of 1,000 collections with exponent
+// 0.7, in 950 +- 7.
 TEST(PowerLaw, IntervalHasTheTruthAsOftenAsItSays) {
     std::mt19937_64 random(5);
     std::uniform_real_distribution<double> uniform(0, 1);

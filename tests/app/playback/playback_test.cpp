@@ -65,7 +65,7 @@ void expect_near(const Shares& found, const Shares& expected) {
     for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-9) << i;
 }
 
-// By hand: frames 0, 1, 2 at 0, 0.1, 0.3 s.
+// Computed by hand, for frames 0, 1 and 2 at 0 s, 0.1 s and 0.3 s.
 TEST(Moments, LieEvenlyInTimeBetweenTheFramesAroundThem) {
     const std::vector<std::size_t> frames{0, 1, 2};
     const std::vector<double> times{0, 0.1, 0.3};
@@ -101,7 +101,8 @@ TEST(Moments, AreNotTooMany) {
     EXPECT_THROW(even_times(frames, times, 0), Error);
 }
 
-/// Two triangles that share the edge 1 2, and the same torn apart there: 4 and 5 are the copies of 1 and 2.
+/// Two triangles that share the edge from 1 to 2, and these triangles torn apart there: vertices 4 and 5 are
+/// the copies of 1 and 2.
 std::array<Snapshot, 2> torn_pair() {
     Snapshot whole;
     whole.time = 1;
@@ -174,7 +175,7 @@ TEST(Interpolation, FollowsTheStrainOfHingesThatStay) {
     EXPECT_THROW(interpolated(whole, torn, 0.5), Error) << "not frames of one run";
 }
 
-// A wheel that rolls: its centre moves straight, while its own frame is at its rim.
+// A wheel rolls: its centre must move on a straight line, although the origin of its own frame is on its rim.
 TEST(Interpolation, TurnsABodyAboutItsMiddle) {
     const Vector3d middle(0, 0, 1);
     const auto pose = [&](double angle, const Vector3d& place) {
@@ -189,7 +190,7 @@ TEST(Interpolation, TurnsABodyAboutItsMiddle) {
     EXPECT_EQ(interpolated(pose(0, {0, 0, 1}), lost, 0.5, middle).matrix(), pose(0, {0, 0, 1}).matrix());
 }
 
-// A film needs some twenty pictures between two frames.
+// A film has some twenty pictures between two frames, for which these must not be read again.
 TEST(Playback, ReadsEachFrameOnce) {
     const auto pair = torn_pair();
     std::vector<std::size_t> read;
@@ -206,7 +207,7 @@ TEST(Playback, ReadsEachFrameOnce) {
     EXPECT_EQ(playback.at({2, 2, 0, 2}).position, pair[0].position) << "a frame is what was recorded";
 }
 
-// Sheets that move smoothly beside an obstacle that jumps from frame to frame would pass through it.
+// Sheets that move smoothly would pass through an obstacle that jumps from frame to frame.
 TEST(Playback, MovesObstaclesBetweenFrames) {
     const TemporaryDirectory folder;
     const SyntheticRun run = synthetic_run();
@@ -241,7 +242,8 @@ TEST(Interpolation, FieldsOfFacesGoStraight) {
     EXPECT_TRUE(choice_of(between.fields).curvature);
 }
 
-// A tensor that is constant in space and time has different components in each part of a split face.
+// A tensor that is constant in space and time has different components in each part of a split face, since
+// the parts have different axes.
 TEST(Interpolation, FieldsTurnIntoTheAxesOfPartsOfFaces) {
     const SyntheticRun run = split_run();
     Eigen::Matrix2d tensor;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures and pages show the tips at a time: those of another step would not be at their cracks.
+// Pictures and pages show the tips of cracks at a time: tips of another step would not be at their cracks.
 #include "app/playback/tip_history.h"
 
 #include <gtest/gtest.h>

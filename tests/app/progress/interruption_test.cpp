@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// End of commands by Ctrl-C and SIGTERM: a script that cannot distinguish that from a failure continues, or
-// gives up.
+// Commands that are ended by Ctrl-C or SIGTERM: a script that cannot distinguish this end from a failure
+// would react wrongly.
 #include "app/progress/interruption.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,8 @@ void wait_until_there(const fs::path& file) {
     for (int i = 0; i < 6000 && !fs::exists(file); ++i) std::this_thread::sleep_for(moment);
 }
 
-/// Whether a signal is in a set of signals of a program, which is a line of its status.
+/// Whether a signal is in a set of signals of a program. set: name of a line of the program's status in
+/// /proc.
 bool has_signal(pid_t program, const std::string& set, int signal) {
     std::ifstream status(fs::path("/proc") / std::to_string(program) / "status");
     for (std::string word; status >> word;)
@@ -36,13 +37,13 @@ bool has_signal(pid_t program, const std::string& set, int signal) {
     return false;
 }
 
-/// Waits until a program has a handler for a signal, that is has begun.
+/// Waits until a program has a handler for a signal, which shows that its command has begun.
 void wait_until_it_catches(pid_t program, int signal) {
     for (int i = 0; i < 6000 && !has_signal(program, "SigCgt:", signal); ++i)
         std::this_thread::sleep_for(moment);
 }
 
-/// Sends signals once a file exists, each when the one before has been delivered.
+/// Sends signals once a file exists: each of them when the signal before it has been delivered.
 std::function<void(pid_t)> when_there(const fs::path& file, const std::vector<int>& signals) {
     return [=](pid_t program) {
         wait_until_there(file);
@@ -96,7 +97,7 @@ TEST(Interruption, WhatWritesNothingUntilItsEndEndsAtOnce) {
     const TemporaryDirectory directory;
     directory.write("scene.toml", falling_disc);
     const auto interrupt = [](pid_t program) {
-        wait_until_it_catches(program, SIGINT);  // the rest takes minutes
+        wait_until_it_catches(program, SIGINT);  // the rest of the command takes minutes
         kill(program, SIGINT);
     };
     const std::vector<std::string> long_ones[] = {
@@ -112,7 +113,7 @@ TEST(Interruption, WhatWritesNothingUntilItsEndEndsAtOnce) {
     }
 }
 
-// Otherwise they would continue unnoticed for hours.
+// If the runs of variants outlived the program that started them, they would continue unnoticed for hours.
 TEST(Interruption, VariantsEndWithTheirParent) {
     const TemporaryDirectory directory;
     directory.write("scene.toml", falling_disc + "[[variant]]\nname = \"a\"\n[[variant]]\nname = \"b\"\n");

@@ -24,7 +24,7 @@
 namespace sherd::test {
 namespace {
 
-/// Disc in free fall with two variants, which nothing stops before their time.
+/// Two variants of a scene, whose runs nothing ends early.
 const std::string variants = "[[variant]]\nname = \"slow\"\n[[variant]]\nname = \"diagonal\"\n";
 
 RunProgress long_run() {
@@ -112,12 +112,13 @@ TEST(RunProgress, PassesThroughALine) {
     EXPECT_FALSE(run_progress("sherd: warning: of something else"));
 }
 
-/// Number of lines with a bar that were too long; the table at the end may be wider than a terminal.
+/// Number of lines with a bar that were too long for the screen. (The table at the end may be wider than a
+/// terminal.)
 std::ptrdiff_t wrapped_bars(const Screen& screen) {
     return std::ranges::count_if(screen.wrapped, [](const auto& line) { return contains(line, "["); });
 }
 
-/// Output of a complete run on a terminal of `columns` columns.
+/// Result of a complete run on a terminal: the screen at the end, all bytes of output, and the exit code.
 struct Shown {
     Screen screen;
     std::string bytes;
@@ -169,7 +170,8 @@ TEST_F(ProgressOnATerminal, FitsAfterTheTerminalHasBecomeNarrower) {
     EXPECT_GT(before.text().at(0).size(), 60u) << "the test would prove nothing";
 
     program.resize_at_rest(60);
-    // A line, between two returns, may have been written before.
+    // The program may have composed a line for the old width before; lines are counted by their carriage
+    // returns.
     program.read_until([&](const auto& text) { return redraws(text) >= 3; });
     Screen after(60);
     after.add(program.read_until([&](const auto& text) { return redraws(text) >= 6; }));

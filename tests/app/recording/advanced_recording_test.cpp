@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Otherwise a run whose triangles change with its cracks cannot be recorded, or a film of it tears the sheet
-// between two frames.
+// Recordings of runs whose triangles change with their cracks. If a test failed, such runs could not be
+// recorded, or films would tear the sheet between two frames.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -41,13 +41,14 @@ RC_GTEST_PROP(AdvancedRecording, HoldsWhatItWasGivenAndFramesFollowEachOther, ()
     RC_ASSERT(!testing::Test::HasFailure());
 }
 
-// Here a face of the unfractured mesh has most of a face at 0.5 s, whose corners are all inserted after 0.3
-// s, and of none at 0.3 s: its parts are in faces that have more of its neighbours.
+// With this seed the parent of a face at 0.5 s, whose corners are all inserted after 0.3 s, is the parent of
+// no face at 0.3 s, since its parts are then in faces that have larger parts of its neighbours.
 TEST(AdvancedRecording, FollowsAFaceWhoseParentHadNoFaceBefore) {
     expect_recorded_and_followed(3, 396980017);
 }
 
-// Data of the unfractured mesh are transferred to a later mesh by parents and weights.
+// Data of the unfractured mesh are transferred to a later mesh by parents and weights, which must place each
+// vertex in the unfractured mesh.
 RC_GTEST_PROP(AdvancedRecording, VerticesLieInTheUnbrokenMesh, ()) {
     const unsigned shape = *rc::gen::inRange(0u, sheet_shapes), seed = *rc::gen::inRange(0u, 1u << 30);
     const RestMesh rest = advanced_frames(shape, seed, Matrix3d::Identity()).back().rest;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A damaged recording must give an error: HDF5 itself may loop forever, or read beyond its memory.
+// A damaged recording must give an error: HDF5 itself could loop forever, or read beyond its memory.
 #include "app/recording/global_heap.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,8 @@ std::span<const std::byte> bytes_of(const std::string& text) {
     return std::as_bytes(std::span(text));
 }
 
-/// Places of the objects' lengths in a block of texts that begins at `begin`: the last is free space.
+/// Offsets, in the content of a file, of the lengths of objects in a block of texts that begins at `begin`.
+/// The last object is free space.
 std::vector<std::size_t> lengths_in(const std::string& content, std::size_t begin) {
     std::uint64_t size = 0;
     std::memcpy(&size, content.data() + begin + 8, sizeof size);
@@ -65,7 +66,7 @@ TEST(GlobalHeap, RefusesLengthsThatDoNotFit) {
     std::memcpy(block.data(), "GCOL\1", 5);
     put(8, 4096);
     block[16] = 1;  // first text
-    put(24, 20);    // takes 24 bytes and its header
+    put(24, 20);    // length of the text, which takes 24 bytes and a header
     put(16 + 40 + 8, 4096 - 16 - 40);
     EXPECT_NO_THROW(hdf5::require_sound_heap(bytes_of(block)));
     for (const std::size_t place : {std::size_t{8}, std::size_t{24}, std::size_t{64}})

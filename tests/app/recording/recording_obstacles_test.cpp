@@ -49,7 +49,7 @@ TEST(RecordedObstacles, KeepEveryBitOfTheirShapesAndPoses) {
     }
 }
 
-// Recordings of old versions, and of scenes without obstacles.
+// Recordings of old versions, and of scenes without obstacles, must be readable and have none.
 TEST(RecordedObstacles, AreNoneWhereNothingIsSaidOfThem) {
     const TemporaryDirectory folder;
     record(synthetic_run(), folder.path / "run.h5");
@@ -59,7 +59,7 @@ TEST(RecordedObstacles, AreNoneWhereNothingIsSaidOfThem) {
     EXPECT_TRUE(recording.poses(0).empty());
 }
 
-// Otherwise drawing them would read beyond the end of an array.
+// If damaged obstacles were accepted, drawing them would read beyond the end of an array.
 TEST(RecordedObstacles, ThatAreDamagedAreRefused) {
     const TemporaryDirectory folder;
     const fs::path file = folder.path / "run.h5";
@@ -81,7 +81,7 @@ TEST(RecordedObstacles, ThatAreDamagedAreRefused) {
     EXPECT_NE(damage(Recording(file)).find("anvil"), std::string::npos) << damage(Recording(file));
 }
 
-// Recordings of versions before planes have none.
+// Recordings of earlier versions do not say which obstacles are planes: then all are solids.
 TEST(RecordedObstacles, OfEarlierVersionsAreSolids) {
     const TemporaryDirectory folder;
     const fs::path file = folder.path / "run.h5";
@@ -96,7 +96,8 @@ TEST(RecordedObstacles, OfEarlierVersionsAreSolids) {
     EXPECT_NE(damage(Recording(file)).find("obstacles/plane has 1 rows of 3 obstacles"), std::string::npos);
 }
 
-/// Sheet that falls, with a box that moves by keys and a free ball away from it.
+/// Scene of a sheet that falls between a floor and a lid, with a box that moves by keys and a free ball, both
+/// away from the sheet.
 const std::string three = R"(duration = 0.002
 [sheet.plate]
 mesh = { generate = "rectangle", width = 0.1, height = 0.1, edge_length = 0.02 }
@@ -123,7 +124,7 @@ step = 1e-3
 every = 1e-3
 )";
 
-// A pose of another obstacle, or of another time, would show them in wrong places.
+// With poses of other obstacles, or of another time, obstacles would be shown in wrong places.
 TEST(RecordedObstacles, OfARunStandWhereTheyAre) {
     const TemporaryDirectory folder;
     folder.write("scene.toml", three);
@@ -177,7 +178,8 @@ TEST(RecordedObstacles, ThatArePlanesAreSquaresAroundAllElse) {
     EXPECT_FALSE(obstacles[2].plane || obstacles[3].plane);
 }
 
-// A floor drawn as a square of two triangles would end in the air; a moving one must not stand still.
+// A floor drawn as a square of two triangles would end in the air; a plane that moves must not stand still in
+// pictures.
 TEST(RecordedObstacles, ThatArePlanesAreTheGroundOfPictures) {
     const TemporaryDirectory folder;
     record_with_obstacles(synthetic_run(), folder.path / "run.h5");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// docs/recording.md beside the tables that writer and reader go through.
+// Compares docs/recording.md with the tables from which recordings are written and read.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -22,7 +22,7 @@ class RecordingPage : public testing::Test {
     void expect(const std::string& words) const {
         EXPECT_NE(page.find(words), std::string::npos) << words << " is not in docs/recording.md";
     }
-    /// Expects a dataset with its shape: "`rest/faces` [F, 3]".
+    /// Expects that the page has a dataset with its shape, as in "`rest/faces` [F, 3]".
     void expect_array(const std::string& name, char rows, std::size_t width) const {
         const std::string columns = width > 1 ? ", " + std::to_string(width) : "";
         expect("`" + name + "` [" + rows + columns + "]");
@@ -49,7 +49,7 @@ std::size_t width_of(const VectorXd&) {
     return 1;
 }
 
-// A user of h5py who cannot find a dataset on the page takes it for something else.
+// A user of h5py who does not find a dataset on the page would take it for another one.
 TEST_F(RecordingPage, HasEveryArrayOfAFrameWithItsShape) {
     const Snapshot frame{};
     const auto look_up = [&](const SnapshotArray& array, const auto& values) {

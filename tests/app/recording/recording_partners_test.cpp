@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Recordings in the programs that users open them with: scripts in tests/partners, run by h5py's Python and
-// by ParaView's. If a partner is not installed its test fails (tests/packages.txt names its package).
+// Recordings in the programs with which users open them: scripts in tests/partners, run by a Python with h5py
+// and by ParaView's Python. If such a program is not installed its test fails (tests/packages.txt names its
+// package).
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -25,7 +26,8 @@ std::string script(const std::string& name) {
     return quoted(tests / "partners" / name);
 }
 
-/// Debian's Python finds Debian's h5py, whatever other Python is first in the path.
+/// Command of a Python that has h5py; empty if there is none. Debian's Python has Debian's h5py, even if
+/// another Python is first in the path.
 std::string python_with_h5py() {
     for (const char* python : {"python3", "/usr/bin/python3"})
         if (std::system((std::string(python) + " -c 'import h5py' 2>/dev/null").c_str()) == 0) return python;
@@ -60,8 +62,8 @@ void record_modes(const fs::path& file) {
     ASSERT_EQ(result.exit_code, 0) << result.err;
 }
 
-/// Recording, with a name that could confuse a reader, and its content according to h5py: runs in which
-/// vertices are copied, faces split or obstacles move, and modes of vibration.
+/// Test with a recording, whose file name could confuse a reader, and with its content according to h5py:
+/// runs in which vertices are copied, faces are split, vertices or obstacles move, and modes of vibration.
 class RecordingPartners : public ::testing::TestWithParam<void (*)(const fs::path&)> {
   protected:
     void SetUp() override {
@@ -104,7 +106,7 @@ INSTANTIATE_TEST_SUITE_P(Moves, RecordingPartners, ::testing::Values(record_move
 INSTANTIATE_TEST_SUITE_P(Modes, RecordingPartners, ::testing::Values(record_modes));
 INSTANTIATE_TEST_SUITE_P(Obstacles, RecordingPartners, ::testing::Values(record_obstacles));
 
-// The player needs Blender only for display.
+// Folder of Sherd's player in Blender, quoted. The player needs Blender only for display.
 std::string player() {
     return quoted(fs::path(__FILE__).parent_path() / "../../../app/blender");
 }
@@ -129,7 +131,7 @@ TEST_P(MovingPartners, TheBlenderPlayerKeepsTheSheetWhereItIs) {
     EXPECT_TRUE(passes("check_player_moves.py", player() + " " + quoted(recording)));
 }
 
-// Otherwise fragments would bounce off invisible obstacles.
+// Without the obstacles, fragments in Blender would bounce off nothing.
 class ObstaclePartners : public RecordingPartners {};
 
 TEST_P(ObstaclePartners, TheBlenderPlayerMovesThem) {

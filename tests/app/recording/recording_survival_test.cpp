@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All appended frames must be there, whatever ends the program or the machine while a recording is written.
+// All appended frames must be in the file, whatever ends the program or the machine while a recording is
+// written.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -17,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Recording that is begun, and the system calls while frames are appended.
+/// A recording to which frames are appended: the folder before, and the system calls of the appends.
 struct Appends {
     Appends() : run(synthetic_run()) {
         RecordingWriter writer(folder.path / "run.h5", run.header, false);
@@ -34,7 +35,7 @@ struct Appends {
     SyntheticRun run;
     std::map<std::string, std::string> before;
     std::vector<SystemCall> made;
-    std::vector<std::size_t> done;  ///< number of calls at the end of each append
+    std::vector<std::size_t> done;  ///< number of calls until the end of each append
 };
 
 /// Expects a recording of the first frames of a run, to the last bit.
@@ -49,7 +50,8 @@ void expect_begins(const Recording& recording, const SyntheticRun& run, std::siz
     recording.events();
 }
 
-/// Expects the appended frames after an end before the call of this number.
+/// Expects that all appended frames are in the file, if the program ended before the system call of this
+/// number.
 void expect_survived(const Appends& appends, std::size_t call, const fs::path& file) {
     const auto appended = static_cast<std::size_t>(
         std::ranges::count_if(appends.done, [&](std::size_t i) { return i <= call; }));
@@ -76,7 +78,7 @@ TEST(RecordingSurvival, EveryFrameIsThereAfterAnyEnd) {
     }
 }
 
-// On a read-only medium, or in another user's folder, the journal remains.
+// On a read-only medium, or in another user's folder, the journal cannot be applied to the file and remains.
 TEST(RecordingSurvival, IsReadByItsJournalWhereItCannotBeMended) {
     const Appends appends;
     std::mt19937 random(1);
@@ -111,7 +113,7 @@ TEST(RecordingSurvival, SaysWhatHasBeenMended) {
     EXPECT_GE(words.size(), 3u) << "complete, cut off, or whole";
 }
 
-// A complete run is never resumed: an index that could not be written would remain missing.
+// A complete run is never resumed, so that its index, if it could not be written, would remain missing.
 TEST(RecordingSurvival, IsCompleteOnlyWithItsIndex) {
     const SyntheticRun run = synthetic_run();
     const TemporaryDirectory folder;

@@ -91,7 +91,7 @@ TEST(Recording, KeepsEveryBit) {
     EXPECT_EQ(names_in(folder.path), (std::set<std::string>{"run.h5", "run.xdmf"}));
 }
 
-// HDF5 would store the time at which each dataset was made.
+// Equal runs must give equal files, but by default HDF5 stores the time at which each dataset was made.
 TEST(Recording, IsTheSameFileForTheSameRunAtAnotherTime) {
     const TemporaryDirectory folder;
     const std::time_t second = std::time(nullptr);
@@ -114,7 +114,8 @@ TEST(Recording, IsReadableBetweenAppends) {
     expect_recorded(folder.path / "run.h5", run, 3);
 }
 
-// The index is written as a whole: with each of thousands of frames, a run would do little else.
+// The index is always written as a whole: a run that wrote it with each of thousands of frames would do
+// little else.
 TEST(Recording, IsIndexedWithEachFrameAtFirstThenWithEachHundredthPartMore) {
     const TemporaryDirectory folder;
     const SyntheticRun run = synthetic_run();
@@ -182,7 +183,7 @@ TEST(Recording, SurvivesTheEndOfTheDiskAndGoesOnWhenThereIsRoomAgain) {
     expect_recorded(file, run, 3);
 }
 
-// HDF5 must not reach the end of the disk half-way.
+// If HDF5 found the disk full in the middle of an append, the file would have a part of it.
 TEST(Recording, AnAppendIsWholeOrNotAtAllWhereverTheDiskEnds) {
     const SyntheticRun run = synthetic_run();
     std::size_t whole = 0;
@@ -241,7 +242,7 @@ TEST(Recording, RefusesASnapshotThatContradictsItself) {
     expect_recorded(folder.path / "run.h5", run, 0);
 }
 
-/// Lock of another program on a file, as HDF5 sets it.
+/// Lock by which another program holds a file, as HDF5 sets it.
 class Lock {
   public:
     Lock(const fs::path& file, int kind) : descriptor(open(file.c_str(), O_RDONLY)) {
@@ -315,7 +316,7 @@ TEST(Recording, NamesWhatIsDamaged) {
     expect_error([&] { recording.steps(); }, Fault::input, {"run.h5", "damaged", "steps/kinetic"});
 }
 
-// A claimed run of a thousand million vertices would take memory before a single one is read.
+// An array that claims a million million values would take memory before a single value is read.
 TEST(Recording, BelievesNoLengthThatItsBytesCannotHave) {
     const TemporaryDirectory folder;
     const fs::path file = folder.path / "run.h5";
@@ -334,7 +335,7 @@ TEST(Recording, BelievesNoLengthThatItsBytesCannotHave) {
                  {"run.h5", "damaged", "vertex/mass", "promises more values than the file holds"});
 }
 
-// Otherwise fields would be assigned to other faces, or be missing in h5py.
+// If this failed, fields would belong to other faces, or be missing in h5py.
 TEST(Recording, KeepsFieldsOfFacesWithPrincipalValuesAndAxes) {
     const TemporaryDirectory folder;
     SyntheticRun run = synthetic_run();
@@ -379,7 +380,8 @@ TEST(Recording, IsDamagedWhenAFieldIsNotOfItsFaces) {
                  {"face/vertices and face/curvature differ in length"});
 }
 
-// Crack directions are relative to the axis. It takes no space where it does not matter.
+// Directions of cracks are relative to the material's axes, which must be recorded. A run without axes must
+// not have an array for them.
 TEST(Recording, HasTheAxesOfTheMaterial) {
     const TemporaryDirectory folder;
     SyntheticRun run = synthetic_run();

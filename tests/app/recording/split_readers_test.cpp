@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Readers of recordings, on a run that splits faces: exports, pictures, the page.
+// Exports, pictures and the page of a recorded run that splits faces: a reader that ignored the new faces
+// would show another run.
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +20,7 @@
 namespace sherd::test {
 namespace {
 
-/// Recording of the split run.
+/// Test with a recording of split_run().
 class SplitReaders : public Export {
   protected:
     SplitReaders() {
@@ -29,7 +30,8 @@ class SplitReaders : public Export {
         record(run, folder.path / "run.h5");
     }
 
-    /// Position of a vertex of the last frame in a frame: it moves with its piece, which moves rigidly.
+    /// Position in a frame of a vertex of the last frame: each vertex moves with its piece, which moves
+    /// rigidly.
     Vector3d expected(Index vertex, std::size_t frame) const {
         static const std::set<Index> left{0, 1, 3, split::m};
         const Index piece = left.contains(vertex) ? 0 : 1;
@@ -38,7 +40,7 @@ class SplitReaders : public Export {
 
     ExportOptions all_frames(const std::string& format, const std::string& output) const {
         ExportOptions wanted = options(format, output);
-        wanted.slow = {1, 10};  // frames are the samples
+        wanted.slow = {1, 10};  // so that the samples are the frames
         return wanted;
     }
 };
@@ -63,7 +65,7 @@ TEST_F(SplitReaders, CachesHaveTheLastMeshInAllFrames) {
     EXPECT_EQ(read("out.obj").number_of_faces(), 9u);
 }
 
-// Frame by frame, from a recording in which a face is split into ever smaller parts.
+// Pieces must have their positions in every frame, even if a face is split into ever smaller parts.
 TEST_F(SplitReaders, GlbMovesPiecesRigidlyAndMorphsThem) {
     for (const std::string animate : {"rigid", "morph"}) {
         ExportOptions wanted = options("glb", animate + ".glb");
@@ -147,7 +149,7 @@ TEST_F(SplitReaders, TheRimIsSmoothAndTheCrackBroken) {
             ++(mesh.vertices[v].broken > 0 ? broken : rim);
         EXPECT_EQ(std::pair(rim, broken), rim_and_broken[k]) << "frame " << k;
     }
-    // Only one side of an open crack is split: that is no rim, either.
+    // If only one side of an open crack is split into parts, the crack must not count as rim, either.
     RestMesh rest = run.frames[1].rest;
     rest.faces[1] = {0, 2, 3};
     rest.faces.pop_back();
@@ -198,7 +200,7 @@ TEST_F(SplitReaders, ThePageHasWhereVerticesAndFacesWereInserted) {
     EXPECT_EQ(numbers(1, "parts"), (std::vector<std::uint32_t>{3, 0, 4, 1}));
     EXPECT_EQ(numbers(2, "parts"), (std::vector<std::uint32_t>{5, 2, 6, 2, 7, 3, 8, 4}));
     EXPECT_EQ(decoded<float>(page["thickness"]).size(), 9u);
-    // Edges opened in frames 1 to 3 are a crack, the rest is the original rim.
+    // Edges that open in frames 1 to 3 are a crack, all others the original rim
     std::map<std::uint32_t, int> states;
     const auto lines = numbers(2, "lines");
     for (std::size_t i = 2; i < lines.size(); i += 3) ++states[lines[i]];

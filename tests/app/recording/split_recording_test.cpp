@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether a frame's mesh at rest is only a link to an earlier one.
+/// Whether the mesh at rest of a frame is only a link to that of an earlier frame.
 bool is_link(const fs::path& file, std::size_t frame) {
     const hdf5::ReadableFile opened(file);
     H5L_info_t info;
@@ -51,14 +51,14 @@ TEST(SplitRecording, KeepsEveryBitAndWritesAMeshAtRestWhenItChanges) {
     EXPECT_EQ(events.face_insertions[5].parent, 4);
 }
 
-// Runs that only copy vertices must not pay for meshes at rest.
+// Runs in which cracks only copy vertices must not store a mesh at rest in each frame.
 TEST(SplitRecording, CopiesOfVerticesNeedNoMeshAtRest) {
     const TemporaryDirectory folder;
     record(synthetic_run(), folder.path / "run.h5");
     for (std::size_t k = 0; k < 3; ++k) EXPECT_TRUE(is_link(folder.path / "run.h5", k)) << k;
 }
 
-// A frame that could not be written must not hold the mesh at rest of a later one.
+// A frame that could not be written must not be the place where a later frame's mesh at rest is stored.
 TEST(SplitRecording, AFailedAppendIsNoOnesMeshAtRest) {
     const TemporaryDirectory folder;
     const fs::path file = folder.path / "split.h5";
@@ -81,7 +81,7 @@ TEST(SplitRecording, InfoSharesAreaAndMassOut) {
     EXPECT_EQ(info.faces, 9u);
     EXPECT_EQ(info.vertices, 11u);
     ASSERT_EQ(info.fragments.size(), 2u);
-    // The left piece is the quarter of A and B beside 0.
+    // The left piece has the quarter of A and of B at vertex 0.
     EXPECT_NEAR(info.fragments[0].area, 0.25, 1e-15);
     EXPECT_NEAR(info.fragments[0].mass, 0.25 * 1e-3 * split::density, 1e-12);
     EXPECT_NEAR(info.fragments[1].area, 1.25, 1e-15);
@@ -104,7 +104,7 @@ TEST(SplitRecording, PlotsCracksThroughFacesAsLongAsTheyAreAtRest) {
     EXPECT_NEAR(sizes[0].x(), 0.25, 1e-15);
 }
 
-// Inserted vertices lie in the face that was split, and open from there.
+// Inserted vertices must begin in the face that was split, and move on from there.
 TEST(SplitRecording, BetweenFramesInsertedVerticesComeFromTheirFace) {
     const SyntheticRun run = split_run();
     const Snapshot opening = interpolated(run.frames[1], run.frames[2], 0.25);
@@ -116,7 +116,7 @@ TEST(SplitRecording, BetweenFramesInsertedVerticesComeFromTheirFace) {
     }
     EXPECT_EQ(opening.face_fragment, std::vector<Index>(7, 0)) << "pieces count from the later frame on";
     EXPECT_EQ(opening.edge_strain[12], 0.25 * run.frames[2].edge_strain[12]) << "inside a face that was flat";
-    // A part of a part: n lies half way between m's copy and 2, whose piece had turned by then.
+    // A part of a part: n lies half-way between the copy of m and vertex 2, whose piece had already turned.
     const Snapshot again = interpolated(run.frames[2], run.frames[3], 0.5);
     const Vector3d before = (run.frames[2].position.col(split::right_m) + run.frames[2].position.col(2)) / 2;
     EXPECT_LT(
@@ -181,7 +181,7 @@ TEST(SplitRecording, Version2IsReadWithTheSameAnswers) {
     EXPECT_EQ(info("old"), info("new"));
 }
 
-/// Returns the error of reading a frame of the split run after `damage` was done to it.
+/// Applies `damage` to a recording of the split run. Returns the error of reading a frame from it.
 template <class Damage>
 std::string error_after(Damage damage, std::size_t frame = 3) {
     const TemporaryDirectory folder;
@@ -258,7 +258,7 @@ TEST(SplitRecording, NamesTheArrayThatIsDamaged) {
     expect_damage("faces", others, "rest/faces");
 }
 
-// A link may lead to nothing, in a circle, or to something else.
+// The link to a mesh at rest may lead to nothing, in a circle, or to another object.
 TEST(SplitRecording, NamesALinkThatLeadsNowhere) {
     const std::string link = "frames/000004/rest";
     for (const std::string target : {"/frames/000009/rest", "/frames/000004/rest", "/events", "/scene"})

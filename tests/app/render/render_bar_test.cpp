@@ -62,7 +62,7 @@ TEST(ColourBar, KeepsTicksApart) {
         }
 }
 
-// A number that moves about in a film could not be read.
+// If captions of a run differed in form, numbers would move about in a film, and could not be read.
 TEST(ColourBar, CaptionsOfARunHaveTheSameForm) {
     EXPECT_EQ(time_caption(0.0125, 125, 0.03), "t = 12.50 ms, step 125");
     EXPECT_EQ(time_caption(0, 0, 0.03), "t = 0.00 ms, step 0");
@@ -72,8 +72,8 @@ TEST(ColourBar, CaptionsOfARunHaveTheSameForm) {
     EXPECT_EQ(time_caption(0.25, 5, 1, "load"), "load 0.250, step 5");
 }
 
-// Bar and caption must be legible in small and large pictures, on black and on white, and change nothing
-// else.
+// Bar and caption must be legible in small and large pictures, on black and on white, and change no other
+// pixels.
 TEST(ColourBar, IsLegibleInPicturesOfAnySizeAndTouchesOnlyItsPanel) {
     const ColourBar bar = make_colour_bar("strain", "1/m", {10, 250}, {2, 300});
     const std::array<int, 2> sizes[] = {{220, 220}, {480, 270}, {960, 540}, {540, 960}, {3840, 2160}};
@@ -106,7 +106,7 @@ TEST(ColourBar, IsLegibleInPicturesOfAnySizeAndTouchesOnlyItsPanel) {
     EXPECT_FALSE(fits_colour_bar(219, 1000));
 }
 
-// A colour of the picture must be on the bar beside its number.
+// A colour of the picture must be on the bar, beside the number for which it stands.
 TEST(ColourBar, ShowsTheMapFromBelowUpwards) {
     Image image = blank(960, 540, 1);
     const ColourBar bar = make_colour_bar("strain", "1/m", {0, 250}, {0, 250});
@@ -129,7 +129,7 @@ TEST(ColourBar, ShowsTheMapFromBelowUpwards) {
     }
 }
 
-// A box for a letter missing in the font would replace a unit.
+// A letter that is missing in the font would be replaced by a box, and a unit would be illegible.
 TEST(Text, HasTheLettersOfUnitsAndTheirWidths) {
     const Text text(20);
     Image missing = blank(60, 40, 1);
@@ -146,7 +146,7 @@ TEST(Text, HasTheLettersOfUnitsAndTheirWidths) {
     text.write(outside, -8, 14, "cut off on all sides", Vector3f::Zero());
 }
 
-/// Recorded synthetic run, drawn with the colours of its speed.
+/// Test that draws a recording of the synthetic run.
 class RenderBar : public ::testing::Test {
   protected:
     RenderBar() { record(synthetic_run(), folder.path / "run.h5"); }
@@ -167,7 +167,7 @@ class RenderBar : public ::testing::Test {
     TemporaryDirectory folder;
 };
 
-// Measured with and without a bar, the picture must be the same.
+// Beside bar and caption, a picture must be the same as without them.
 TEST_F(RenderBar, DiffersFromThePlainPictureOnlyInBarAndCaption) {
     for (const std::string colour : {"speed", "strain"}) {
         const Image plain = drawn(colour, true), full = drawn(colour, false);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The camera follows the action, but no lone splinter.
+// The camera must show the action, but not follow a lone splinter.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::AlignedBox3d;
 
-/// Square pieces of sheets.
+/// Frame of square pieces of sheets.
 struct Pieces {
     Snapshot frame;
 
@@ -34,7 +34,7 @@ struct Pieces {
         }
     }
 
-    /// Adds a hundred pieces side by side: a square of 1 m about the origin.
+    /// Adds a hundred pieces side by side, which make up a square of 1 m about the origin.
     void add_sheet() {
         for (int i = 0; i < 10; ++i)
             for (int j = 0; j < 10; ++j) add(Vector3d(i * 0.1 - 0.45, j * 0.1 - 0.45, 0), 0.1);
@@ -61,7 +61,8 @@ TEST(Focus, LeavesOutASplinterThatFliesAway) {
     }
 }
 
-// Nothing of importance may be cut off: not a piece just outside, nor large ones, nor a small sheet far away.
+// The focus must contain all that is important: a piece just beside the rest, large pieces, and a small sheet
+// far away.
 TEST(Focus, HasEveryThingElse) {
     Pieces pieces;
     pieces.add_sheet();
@@ -78,7 +79,7 @@ TEST(Focus, HasEveryThingElse) {
     expect_same_box(falling.focus(), {Vector3d(2.5, 3.5, -1e4), Vector3d(3.5, 4.5, -1e4)});
 }
 
-// Pieces in any distribution, and in any order.
+// The focus must contain 19 twentieths of a sheet's area, whatever the distribution and order of its pieces.
 TEST(Focus, HasNineteenTwentiethsOfASheet) {
     sherd::Random random(5);
     for (int trial = 0; trial < 200; ++trial) {
@@ -117,11 +118,11 @@ TEST(Focus, SkipsWhatIsNotFinite) {
     EXPECT_TRUE(pieces.focus().isEmpty());
 }
 
-/// Synthetic run, in which the last column may be a fragment that flies away.
+/// Test with a synthetic run in which the last column may be a fragment that flies away.
 class Stage : public ::testing::Test {
   protected:
     Stage() : run(synthetic_run()) {
-        // Faces of the fragment: the smallest part of the sheet.
+        // The fragment's faces are small, so that it is a small part of the sheet.
         for (double& area : run.header.rest_area) area = 1;
         const Index last_column = (synthetic::columns - 1) * synthetic::rows * 2;
         for (auto f = static_cast<std::size_t>(last_column); f < run.header.rest_faces.size(); ++f) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parts of pictures: cameras, bodies of sheets, colours, light.
+// Parts of the renderer: cameras, bodies of sheets, colours, light.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,7 +24,7 @@ namespace {
 
 using Eigen::AlignedBox3d;
 
-/// Place of a point in the picture: -1 to 1 in both directions when it is inside.
+/// Place of a point in the picture; both coordinates are between -1 and 1 if it is inside.
 Vector2d place_in_picture(const Camera& camera, double aspect, const Vector3d& point) {
     const CameraAxes axes = camera_axes(camera);
     const Vector3d to = point - camera.eye;
@@ -32,7 +32,8 @@ Vector2d place_in_picture(const Camera& camera, double aspect, const Vector3d& p
     return {to.dot(axes.right) / (depth * slope * aspect), to.dot(axes.top) / (depth * slope)};
 }
 
-// From any side, flat or tall, the picture must neither cut the action off nor show it as a dot.
+// From any side, and in wide and tall pictures, the camera must neither cut the action off nor show it as a
+// dot.
 TEST(Camera, HasTheWholeActionInThePictureAndFillsIt) {
     const AlignedBox3d boxes[] = {{Vector3d(1, 2, 3), Vector3d(1.5, 2.1, 3.01)},
                                   {Vector3d(1.2, 1.9, 2), Vector3d(1.3, 2.5, 2.2)}};
@@ -72,7 +73,8 @@ TEST(Camera, LooksFromTheFrontAndFromTheRight) {
         EXPECT_THROW(parse_camera(text), Error) << text;
 }
 
-/// Last frame of the synthetic run as bodies 2 mm thick.
+/// Test with the synthetic run, and a function that makes a body from a frame, 2 mm thick if not given
+/// otherwise.
 class Solid : public ::testing::Test {
   protected:
     static RenderMesh solid(const Snapshot& frame, const std::vector<double>& thickness) {
@@ -87,7 +89,8 @@ class Solid : public ::testing::Test {
     SyntheticRun run = synthetic_run();
 };
 
-// A hole would let light into the sheets: each side of a triangle must have a neighbour, walls included.
+// A hole would let light into the sheets: each side of a triangle must belong to two triangles, at walls,
+// too.
 TEST_F(Solid, IsClosedInEveryFrame) {
     for (const Snapshot& frame : run.frames) {
         const RenderMesh mesh = solid(frame);
@@ -125,7 +128,8 @@ TEST_F(Solid, HasTheThicknessAndBrokenWallsWhereItCracked) {
     EXPECT_EQ(walls - broken, 2u * (synthetic::columns + synthetic::rows)) << "the rim as it was made";
 }
 
-// Otherwise the sides of a sheet of uneven thickness would be steps, or depend on the order of the faces.
+// A body must be as thick at a vertex as the faces there on average: otherwise its surface would have steps,
+// or depend on the order of the faces.
 TEST_F(Solid, IsAsThickAtAVertexAsTheFacesThereOnTheMean) {
     const Snapshot& frame = run.frames[0];
     std::vector<double> thickness;
@@ -150,13 +154,13 @@ TEST(RenderColour, TellsTwentyOneFragmentsApart) {
     EXPECT_EQ(fragment_colour(21), fragment_colour(0));
 }
 
-// Printed in grey, larger values must be brighter.
+// Larger values must be brighter, so that a picture printed in grey can be read.
 TEST(RenderColour, MapGrowsBrighter) {
     double before = -1;
     for (int i = 0; i <= 100; ++i) {
         const std::uint32_t c = map_colour(i / 100.0);
         const double grey = 0.299 * (c >> 16) + 0.587 * (c >> 8 & 255) + 0.114 * (c & 255);
-        EXPECT_GT(grey, before - 0.6);  // channels are integers
+        EXPECT_GT(grey, before - 0.6);  // tolerance: channels are integers
         before = grey;
     }
     EXPECT_EQ(map_colour(-3), map_colour(0));
@@ -235,7 +239,8 @@ RecordingHeader tube() {
     return header;
 }
 
-// Stripes along a tube with one phase for all faces would have to run back somewhere: blotches.
+// Around a tube the phase of stripes must grow by a whole number of periods. A phase without jumps would have
+// to run back somewhere, and show blotches.
 TEST(RenderStripes, CloseAroundATube) {
     const RecordingHeader header = tube();
     const double circumference = 2 * tube_columns * tube_radius * std::sin(std::numbers::pi / tube_columns);
@@ -244,7 +249,7 @@ TEST(RenderStripes, CloseAroundATube) {
         for (std::size_t f = 0; f < header.rest_faces.size(); ++f)
             axes.push_back(f % 3 == 0 ? Vector3d(-Vector3d::UnitZ()) : Vector3d::UnitZ());
         const Eigen::Matrix3Xd stripes = axis_stripes(header, axes, circumference / wanted / 2);
-        // Around the lowest row of edges, the first side of every second face there.
+        // Follows each row of edges around the tube: the first sides of every second face in it.
         for (int row = 0; row < tube_rows; ++row) {
             double around = 0;
             for (int column = 0; column < tube_columns; ++column) {
@@ -255,7 +260,7 @@ TEST(RenderStripes, CloseAroundATube) {
             }
             EXPECT_NEAR(around, std::round(wanted), 1e-9);
         }
-        // The phase is constant along the axis, and neighbours agree on every edge.
+        // The phase must be constant along the axis, and neighbours must agree on every edge.
         for (std::size_t f = 0; f < axes.size(); f += 2) {
             EXPECT_NEAR(stripes(2, f), stripes(1, f), 1e-3);
             const double sign = axes[f].dot(axes[f + 1]);
@@ -265,7 +270,7 @@ TEST(RenderStripes, CloseAroundATube) {
     }
 }
 
-/// Square 1 m wide, 1 m above the ground, seen from above.
+/// Scene of a square, 1 m wide, that lies 1 m above the ground.
 RenderScene square_above_ground() {
     RenderScene scene;
     RenderMesh square;
@@ -301,7 +306,8 @@ TEST(RenderPicture, IsNoneWhenStopped) {
         render_picture(square_above_ground(), from_above, {.width = 8, .height = 8}, [] { return true; }));
 }
 
-// Written and read again, an image must be rounded to a byte, and keep the order of its rows.
+// An image that is written and read again must have its colours, rounded to bytes, and the same order of
+// rows.
 TEST(Image, PngKeepsWhatItIsGiven) {
     const TemporaryDirectory folder;
     Image image;

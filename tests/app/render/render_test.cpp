@@ -37,7 +37,7 @@ std::string bytes_of(const fs::path& file) {
     return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-/// Recorded synthetic run in a folder of its own, drawn small.
+/// Test that draws a recording of the synthetic run in small pictures.
 class Render : public ::testing::Test {
   protected:
     Render() : run(synthetic_run()) {
@@ -85,7 +85,7 @@ TEST_F(Render, GivesTheSameBytesOnAnyNumberOfThreads) {
     }
 }
 
-// Three fragments, a ground and shadows: a picture of one colour would show nothing.
+// The picture must show three fragments, a ground and shadows, instead of a single colour.
 TEST_F(Render, ShowsEveryFragmentInItsColour) {
     RenderOptions wanted = options("picture.png");
     wanted.samples = 16;
@@ -169,7 +169,7 @@ TEST_F(Render, RefusesWhatItCannotDrawBeforeItWritesAnything) {
     EXPECT_EQ(folder.contents(), before);
 }
 
-/// Output of ffprobe for a film: pictures a second, and their number.
+/// Output of ffprobe for a film: pictures per second, and number of pictures.
 std::string probed(const fs::path& film) {
     const std::string command =
         "ffprobe -v error -select_streams v -show_entries "
@@ -192,7 +192,8 @@ TEST_F(Render, MakesAFilmInSlowMotion) {
     EXPECT_EQ(rendering.files.back(), wanted.film);
     EXPECT_FALSE(fs::exists(folder.path / "film.mp4.part"));
     EXPECT_EQ(probed(wanted.film), "4/1,9");
-    // Four pictures from frame to frame: those at frames are the frames, the others all differ.
+    // The film has four pictures from frame to frame. Pictures at the time of a frame must show this frame,
+    // and no two pictures may be the same.
     RenderOptions stills = options("stills");
     stills.frames = "all";
     const std::vector<fs::path> frames = render_recording(stills).files;
@@ -219,7 +220,7 @@ TEST_F(Render, MakesAFilmAlone) {
     EXPECT_EQ(run_sherd({"render", "run.h5"}, folder.path).exit_code, 2) << "nowhere to draw";
 }
 
-// ffmpeg reports no failure if the disk is full at the end, when its film has no header.
+// If the disk is full at the end of a film, which then has no header, ffmpeg reports no failure.
 TEST_F(Render, AFullDiskLeavesNoFilm) {
     ProgramLimits limits;
     limits.file_bytes = 4000;
@@ -242,7 +243,7 @@ TEST_F(Render, SaysThatFfmpegIsMissing) {
     EXPECT_FALSE(fs::exists(folder.path / "film.mp4.part"));
 }
 
-// Ctrl-C in the middle of a film: existing files must open, and no others may remain.
+// After Ctrl-C in the middle of a film, files that exist must be complete, and no temporary files may remain.
 TEST_F(Render, LeavesWholePicturesWhenInterrupted) {
     std::vector<std::string> words{SHERD_PROGRAM, "render", "run.h5",    "-o",  "pictures",
                                    "--frames",    "all",    "--samples", "120", "--film",
@@ -284,7 +285,7 @@ TEST_F(Render, DrawsWhatIsLeftOfARunThatBlewUp) {
     EXPECT_GT((image.colours.rowwise().maxCoeff() - image.colours.rowwise().minCoeff()).minCoeff(), 0.2f);
 }
 
-// A sheet drawn with the thickness before --set would be wrong.
+// If a sheet were drawn with the thickness that it had before --set, the picture would be wrong.
 TEST_F(Render, TakesTheSceneAsItWasRun) {
     run.header.scene_text += "# --set sheet.left.material.thickness=0.007\n# --set seed=3\n";
     const Scene scene = recorded_scene(run.header);

@@ -42,7 +42,7 @@ TEST(RenderTip, IsABallThatPointsAlongItsDirection) {
     EXPECT_TRUE(tip_marks({}, Vector3d::Zero()).vertices.empty());
 }
 
-/// Synthetic run with two tips.
+/// Test with a recording of the synthetic run with two tips.
 class RenderTips : public ::testing::Test {
   protected:
     RenderTips() : run(synthetic_run()) {
@@ -74,7 +74,7 @@ TEST_F(RenderTips, StandWhereTheyAreInTheColourOfWhatTheyBear) {
     EXPECT_TRUE(stage.scene(recording.frame(0), {}, {}).meshes.back().vertices.empty()) << "none yet";
 }
 
-// Otherwise a picture without tips would be taken for a run in which none propagates.
+// Without an error, a user would take a picture without tips for a run in which no crack propagates.
 TEST_F(RenderTips, AreAnErrorWhereThereAreNone) {
     record(synthetic_run(), folder.path / "none.h5");
     const Recording recording(folder.path / "none.h5");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Otherwise a textured bowl is drawn in white, or in wrong colours.
+// Textures, materials and colours of sheets in pictures: if a test failed, a textured bowl would be drawn in
+// white, or in wrong colours.
 #include "app/render/surface_paint.h"
 
 #include <gtest/gtest.h>
@@ -50,7 +51,7 @@ class Painted : public testing::Test {
   protected:
     Painted() : run(synthetic_run()) { write_jpeg(folder.path / "green.jpg", 9, 5, {20, 200, 30}); }
 
-    /// Applies `change` to the look of all frames, with their numbers of faces.
+    /// Calls change(look, number of faces) for the look of each frame and of the header.
     template <class Change>
     void look(Change change) {
         for (Snapshot& frame : run.frames) change(frame.rest.look, frame.faces.size());
@@ -75,7 +76,7 @@ class Painted : public testing::Test {
         options.force = true;
         return options;
     }
-    /// Number of pixels of which one colour far exceeds the others.
+    /// Numbers of pixels in which red, green or blue, in this order, far exceeds the other two.
     std::array<int, 3> pixels() const {
         const Image image = read_png(folder.path / "picture.png");
         std::array<int, 3> count{};
@@ -144,7 +145,7 @@ TEST_F(Painted, AFaceShowsItsOwnPartOfThePicture) {
     }
 }
 
-// Pictures of a .mtl are as often damaged as other files.
+// Pictures that a .mtl file names may be damaged, as other files may be.
 TEST(Jpeg, IsReadAndFaultsAreTold) {
     const TemporaryDirectory folder;
     write_jpeg(folder.path / "a.jpg", 7, 3, {250, 128, 0});

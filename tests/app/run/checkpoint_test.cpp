@@ -14,8 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A program that is killed while it writes a checkpoint leaves a part of it, and its lock. They would
-// accumulate in a sweep's folder, a pair for each such run.
+// A program that is killed while it writes a checkpoint leaves an incomplete file, and its lock file. These
+// would accumulate in the folder of a sweep, a pair for each such run.
 TEST(Checkpoint, WhatAKilledWriterLeavesGoesWithTheCheckpoints) {
     const test::TemporaryDirectory directory;
     const fs::path recording = directory.path / "run.h5";

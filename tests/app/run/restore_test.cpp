@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// If the state lacked a member, or did not restore one as it was, a resumed run would have other bits.
+// If the state lacked a member, or did not restore a member as it was, a resumed run would have other bits.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -14,7 +14,8 @@
 namespace sherd::test {
 namespace {
 
-/// A disc that falls onto the floor, with a ball behind it, with these keys of the solver.
+/// Scene of a disc that falls onto the floor, followed by a ball, with the keys `solver` in its table
+/// [solver].
 std::string stepped_disc(const std::string& duration, const std::string& solver) {
     return "duration = " + duration + R"(
 [sheet.plate]
@@ -182,7 +183,8 @@ void expect_same_snapshot(const Simulation& one, const Simulation& other) {
 
 class Restore : public testing::TestWithParam<std::string> {};
 
-/// At every fourth step the state is restored into a new simulation, which makes the next four steps, too.
+/// At every fourth step the state is restored into a new simulation, which then makes the next four steps,
+/// too: both simulations must agree.
 TEST_P(Restore, StateGoesOnBitForBit) {
     const double duration = parse_scene(scenes.at(GetParam()), "scene.toml").duration;
     Simulation whole = simulation_of(GetParam());
@@ -225,7 +227,7 @@ INSTANTIATE_TEST_SUITE_P(BreakingScenes, Restore, testing::ValuesIn([] {
                              return plain;
                          });
 
-// A checkpoint that is truncated, or of another scene, must be refused.
+// A state that is truncated, or that belongs to another scene, must be refused.
 TEST(StateArchive, RefusesWhatIsCutOffAndWhatIsOfSomethingElse) {
     Simulation whole = simulation_of("strength");
     std::ostringstream stream;

@@ -19,7 +19,8 @@ ProgramResult check_of_mesh(const std::string& mesh, const std::string& obstacle
     return run_sherd({"check", "scene.toml"}, directory.path);
 }
 
-/// Box of 1 by 2 by 3 m about (5, 0, 0). faces: number of its twelve triangles.
+/// Text of an OBJ file of a box of 1 m by 2 m by 3 m about (5, 0, 0). faces: how many of its twelve triangles
+/// it has.
 std::string box_mesh(int faces = 12) {
     std::string text;
     for (int i = 0; i < 8; ++i)
@@ -31,8 +32,8 @@ std::string box_mesh(int faces = 12) {
     return text;
 }
 
-// A mesh must become the body of its solid: a box of twelve triangles has the mass and inertia of `box`. (Its
-// surface touches sheets, its vertices all else.)
+// A closed mesh must become the body of its solid: a box of twelve triangles must have the mass and inertia
+// of `box`. (Its surface touches sheets, its vertices touch all else.)
 TEST(FreeMesh, AClosedMeshBecomesAFreeBody) {
     const std::string placed =
         "place = { translate = [0, 0, 3], rotate = { axis = [1, 2, 0], degrees = 40 } }\nvelocity = [1, 0, "
@@ -64,7 +65,8 @@ TEST(FreeMesh, AClosedMeshBecomesAFreeBody) {
     }
 }
 
-// An open mesh has no mass: otherwise the body's mass would depend on its holes, without a message.
+// An open mesh has no defined mass: if it were accepted, the body's mass would depend on its holes, without a
+// message.
 TEST(FreeMesh, AFreeBodyOfAMeshThatIsNoSolidIsRefused) {
     const ProgramResult open = check_of_mesh(box_mesh(11), "mesh = \"solid.obj\"\ndensity = 10");
     EXPECT_EQ(open.exit_code, 2) << open.out;
@@ -91,8 +93,8 @@ TEST(FreeMesh, AFreeBodyOfAMeshThatIsNoSolidIsRefused) {
         << whole.out;
 }
 
-// The distances of a mesh must extend as far as the radius of the largest ball: otherwise the ball would sink
-// in up to its centre.
+// The distance field of a mesh must extend as far as the radius of the largest ball: otherwise this ball
+// would sink in up to its centre.
 TEST(FreeMesh, AMeshIsFeltByABallAsFarOffAsItIsLarge) {
     const TemporaryDirectory directory;
     directory.write("solid.obj", box_mesh());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A program that gives a scene meshes as plain arrays depends on the numbers of its rows.
+// A program that gives a scene a mesh as plain arrays knows vertices and faces by their rows, which must be
+// their numbers in the mesh.
 #include <gtest/gtest.h>
 
 #include "app/scene/assemble/built_scene.h"

@@ -13,7 +13,7 @@
 namespace sherd::test {
 namespace {
 
-/// Strip of 1 m by 0.2 m, 5 mm thick, without contraction across, on its side.
+/// Scene of a strip of 1 m by 0.2 m, 5 mm thick, that stands on its long side and has Poisson's ratio 0.
 std::string bent_strip(const std::string& sheet, const std::string& more = "") {
     return R"(duration = 1
 force.gravity = [0, 0, 0]
@@ -28,7 +28,7 @@ material = { density = 1000, thickness = 0.005, young = 1e9, poisson = 0 }
 TEST(SceneBend, RollsTheSheetTowardsItsNormals) {
     const auto simulation = simulation_of(bent_strip("bend = { curvature = 2, from = [0.3, 0, 0] }\n"));
     const Shell& shell = simulation->shell().mechanics();
-    const Vector3d normal(0, -1, 0);  // z of the mesh, as placed
+    const Vector3d normal(0, -1, 0);  // direction of the mesh's z axis, as placed
     for (Index v = 0; v < shell.rest.cols(); ++v) {
         const double s = shell.rest(0, v) - 0.3;
         const Vector3d expected =

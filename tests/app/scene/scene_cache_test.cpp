@@ -17,10 +17,10 @@ namespace sherd::test {
 namespace {
 
 const std::string above_cached = replaced(plate_and_obstacle, "0.002", "0.05");
-/// Quadrangle, a vertex that no face uses, and a triangle beside it.
+/// Mesh file with a quadrangle, a vertex that no face uses, and a triangle beside the quadrangle.
 const std::string cached_mesh = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 9 9 9\nv 2 0 0\nf 1 2 3 4\nf 2 6 3\n";
 
-/// Vertices of this mesh, raised by each sample's number.
+/// Positions of this mesh's vertices: in sample s all vertices of faces are at the height s, m.
 std::vector<Positions> raised_samples(int count) {
     std::vector<Positions> all;
     for (int s = 0; s < count; ++s) {
@@ -106,7 +106,8 @@ TEST_F(SceneCache, RefusesWhatDoesNotFit) {
     expect_refused("mesh = \"hand.stl\"\ncache = \"hand.pc2\"", "no numbered vertices");
 }
 
-// A common mistake is a cache that has ended, or hardly begun, because its frames have another rate.
+// A common mistake is a cache that ends early, or has hardly begun at the end of the run, because its frames
+// have another rate.
 TEST_F(SceneCache, WarnsOfWhatTheRunDoesNotSee) {
     const auto warned = [&](const std::string& cache) {
         const Scene read = scene("mesh = \"hand.obj\"\ncache = { file = \"hand.pc2\", " + cache + " }\n");

@@ -14,7 +14,7 @@
 namespace sherd::test {
 namespace {
 
-// Plate 0 <= x <= 2, 0 <= y <= 1.
+// Scene of a plate with 0 <= x <= 2 and 0 <= y <= 1, m.
 const std::string plate = R"(duration = 0.1
 [sheet.plate]
 mesh = { generate = "rectangle", width = 2, height = 1, edge_length = 0.25 }
@@ -95,7 +95,8 @@ box = [[1.999, -1, -1], [2.001, 2, 1]]
               std::string::npos);
 }
 
-// A quarter of the plate behind two planes: vertices must stay in them while the plate falls from its clamp.
+// The plate is a quarter of a larger one, behind two symmetry planes: vertices must stay in these planes
+// while the plate falls from its clamp.
 TEST(SceneSupport, ClampsAndSymmetryPlanesHoldThroughARun) {
     const Prepared prepared = prepare(plate + R"(clamp = { box = [[-1e-6, -1, -1], [1e-6, 2, 1]] }
 symmetry = [{ point = [0, 1, 0], normal = [0, 2, 0] }, { point = [2, 0, 0], normal = [1, 0, 0] }]
@@ -122,7 +123,8 @@ step = 1e-2
     EXPECT_GT(drop, 1e-3);
 }
 
-// Roller bearings: free directions must move, and no others; of several supports, the directions free in all.
+// Pins like roller bearings: vertices must move in the free directions, and in no others. With several
+// supports, a vertex is free in the directions that all of them leave free.
 TEST(SceneSupport, PinsLeaveDirectionsFree) {
     const Prepared prepared = prepare(plate + R"(pin = [
     { box = [[-1e-6, -1, -1], [1e-6, 2, 1]], free = ["x", "y"] },
@@ -179,7 +181,7 @@ TEST(SceneSupport, FreedomThatCannotBeIsRefused) {
     says("clamp = { boundary = true, free = [\"x\"] }", "clamp.free: is for pins only");
 }
 
-// The left side turns about its own centre, the right one about the given one.
+// The left side turns about its own centre, and the right side about the given centre.
 TEST(SceneSupport, PinsAndClampsMoveAsTheirKeysSay) {
     const Prepared prepared = prepare(plate + R"(
 pin = { box = [[-1e-6, -1, -1], [1e-6, 2, 1]], motion = "linear", keys = [

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The strength of a sheet must arrive as it was written: a threshold in another unit breaks everything, or
-// nothing.
+// The strength of a sheet must arrive as it was written: with a threshold in another unit everything would
+// break, or nothing.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -200,7 +200,7 @@ material = { preset = "glass", tempered = 1e8 }
         EXPECT_TRUE(!breaks.can_fail(edge) || breaks.strength(edge) > 1.3e8);
 }
 
-// Each preset with fracture data makes a valid sheet; others are refused.
+// Each preset with fracture data must make a valid sheet, and presets without such data must be refused.
 TEST(SceneFracture, EveryPresetMakesASheet) {
     for (const MaterialPreset& preset : material_presets()) {
         const std::string text =
@@ -226,8 +226,8 @@ TEST(SceneFracture, EveryPresetMakesASheet) {
         Error);
 }
 
-// A crack of 60 mm in a sheet in tension propagates straight from both tips when stress sqrt(pi a), a being
-// half its length, reaches the toughness, within the error of the energy on so coarse a mesh.
+// A crack of length 2 a = 60 mm in a sheet in tension must propagate straight from both tips when stress
+// sqrt(pi a) reaches the toughness, within the error of the energy on so coarse a mesh.
 TEST(SceneFracture, ACrackThatIsThereGrowsAtItsToughness) {
     const Scene scene = scene_of(R"(
 [sheet.plate]

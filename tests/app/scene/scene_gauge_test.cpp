@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The values of a gauge at a wrong place would be trusted.
+// Users would trust the values of a gauge that is at a wrong place.
 #include <gtest/gtest.h>
 
 #include "meshops/error.h"
@@ -9,7 +9,7 @@
 namespace sherd::test {
 namespace {
 
-// Two squares of 1 m side, one above the other.
+// Scene of two squares with sides of 1 m, one above the other.
 const std::string squares = R"(duration = 1
 [sheet.a]
 mesh = { generate = "rectangle", width = 1, height = 1, edge_length = 0.25 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Groups of a mesh file through the real program: otherwise a run holds or loads the wrong part.
+// Groups of a mesh file through the real program: otherwise a run would hold or load the wrong part of a
+// mesh.
 #include <gtest/gtest.h>
 
 #include "tests/support/program/program.h"
@@ -8,12 +9,13 @@
 namespace sherd::test {
 namespace {
 
-// Two squares side by side, and their common edge.
+// Two squares side by side, with a common edge, in two groups.
 const std::string strip =
     "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\no strip\ng handle\nf 1 2 5 4\ng blade\nf 2 3 6 "
     "5\n";
 
-/// Runs `command` on a scene of the strip with the lines `sheet` in its sheet, and `behind` at its end.
+/// Runs `command` on a scene of the strip. sheet: lines for the table of the sheet; behind: lines for the end
+/// of the scene.
 ProgramResult outcome(const std::string& command, const std::string& sheet, const std::string& behind = "",
                       const std::string& mesh = "\"strip.obj\"") {
     const TemporaryDirectory directory;

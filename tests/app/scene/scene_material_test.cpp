@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The constants of a material must be those of the file, and inadmissible ones be refused by name: a run with
-// them would gain energy.
+// The constants of a material must be those of the file, and inadmissible constants must be refused by name:
+// a run with them would gain energy.
 #include <gtest/gtest.h>
 
 #include "app/scene/assemble/sheet/sheet.h"
@@ -26,7 +26,7 @@ Scene scene_made_of(const std::string& material) {
     return read_scene(directory.write("scene.toml", scene_with(material)));
 }
 
-// Constants that are missing because of it are no further mistakes.
+// Constants that are missing because the preset is unknown must not be reported as further mistakes.
 TEST(SceneMaterial, APresetThatIsNotKnownIsOneMistake) {
     std::string text = scene_with("");
     text.replace(text.find("cotton"), 6, "coton");
@@ -55,7 +55,7 @@ TEST(SceneMaterial, OrthotropicConstantsArrive) {
     EXPECT_EQ(plain.calibration, Calibration::third);
 }
 
-// Birch is stiffer along its outer plies; a given modulus replaces the directions.
+// Birch plywood is stiffer along its outer plies. A given modulus must replace both moduli of the preset.
 TEST(SceneMaterial, APresetMayHaveDirections) {
     const auto made_of = [](const std::string& more) {
         return scene_of(

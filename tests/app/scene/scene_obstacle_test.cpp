@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Obstacles must be those of the scene, and faults be reported with their line, before the run.
+// Obstacles must be as the scene describes them, and faults must be reported with their line, before the run.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -57,7 +57,7 @@ TEST(SceneObstacle, ShapesAreWhereTheyArePlaced) {
                 1e-15);
 }
 
-// The rotation is about the placed centre, not about the origin of the scene.
+// The rotation must be about the placed centre of the obstacle, not about the origin of the scene.
 TEST(SceneObstacle, KeysMoveItFromWhereItWasPlaced) {
     const Obstacle box = obstacle_of(R"(box = { size = [2, 2, 4], centre = [1, 0, 0] }
 place.translate = [9, 0, 0]
@@ -76,7 +76,8 @@ const std::string octahedron =
     "v 1 0 0\nv -1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nv 0 0 -1\nf 1 3 5\nf 3 2 5\nf 2 4 5\nf 4 1 5\n"
     "f 3 1 6\nf 2 3 6\nf 4 2 6\n";
 
-/// Output of `sherd check` for an octahedron (size 2 m) of a mesh file.
+/// Runs `sherd check` on a scene of a plate and an obstacle. mesh: content of solid.obj; obstacle: the
+/// obstacle's keys.
 ProgramResult checked(const std::string& mesh, const std::string& obstacle) {
     const TemporaryDirectory directory;
     directory.write("solid.obj", mesh);
@@ -84,7 +85,7 @@ ProgramResult checked(const std::string& mesh, const std::string& obstacle) {
     return run_sherd({"check", "scene.toml"}, directory.path);
 }
 
-// File names are relative to the scene, whatever the working directory.
+// Names of mesh files must be relative to the scene, whatever the working directory.
 TEST(SceneObstacle, AMeshFileBecomesASolid) {
     const TemporaryDirectory directory;
     directory.write("solid.obj", octahedron + "f 1 4 6\n");
@@ -100,7 +101,7 @@ TEST(SceneObstacle, AMeshFileBecomesASolid) {
     EXPECT_EQ(solid.surface->triangles.size(), 8u);
 }
 
-// A hundredth of a grain's diagonal is finer than OpenVDB's smallest voxels.
+// By default voxels are a hundredth of the mesh's diagonal: for a grain that is finer than OpenVDB permits.
 TEST(SceneObstacle, AGrainOfHalfAMillimetreIsASolid) {
     const TemporaryDirectory directory;
     directory.write("solid.obj", octahedron + "f 1 4 6\n");
@@ -130,7 +131,7 @@ TEST(SceneObstacle, AMeshThatEnclosesNothingIsRefused) {
     EXPECT_NE(fine.err.find("make them larger"), std::string::npos) << fine.err;
 }
 
-// Drawn surfaces must be those of contact, closed, and face outward.
+// Drawn surfaces must coincide with the surfaces of contact, be closed, and face outward.
 TEST(SceneObstacle, DrawnSurfacesAreThoseOfTheSolids) {
     for (const std::string& text :
          {std::string("sphere = { radius = 0.5, centre = [1, 0, 0] }"),
@@ -261,7 +262,7 @@ TEST(SceneObstacle, ASheetThatStartsInsideIsNamed) {
     EXPECT_EQ(outcome("check", 0.998).out.find("start inside"), std::string::npos) << "it lies on the plane";
 }
 
-// Unless the scene is strict, the sheet must run, and neither be thrown out nor fall through.
+// Without contact.start = "error" the sheet must run, and neither be thrown out nor fall through.
 TEST(SceneObstacle, ASheetThatStartsInsideStaysThere) {
     const TemporaryDirectory directory;
     directory.write("scene.toml", plate_and_obstacle + "plane = { point = [0, 0, 0.9995] }\n");
@@ -271,7 +272,7 @@ TEST(SceneObstacle, ASheetThatStartsInsideStaysThere) {
     EXPECT_NE(run.err.find("contact acts only where it gets deeper"), std::string::npos) << run.err;
 }
 
-// The corner of a box between the vertices of a face: no vertex is inside, but contact would be wrong.
+// The corner of a box is between the vertices of a face: no vertex is inside, but contact would be wrong.
 TEST(SceneObstacle, AFaceThatStartsAcrossASurfaceIsNamed) {
     const TemporaryDirectory directory;
     const auto outcome = [&](const std::string& command, const std::string& box) {
@@ -297,7 +298,7 @@ TEST(SceneObstacle, AFaceThatStartsAcrossASurfaceIsNamed) {
         std::string::npos);
 }
 
-// All sheets are tested together; the numbers must still be those of the single sheet.
+// The check tests all sheets together, but numbers in its messages must count within the sheet that it names.
 TEST(SceneObstacle, OfSeveralSheetsTheOneThatIsInTheWayIsNamed) {
     const TemporaryDirectory directory;
     directory.write("square.obj", "v 0 0 0\nv 0.1 0 0\nv 0.1 0.1 0\nv 0 0.1 0\nf 1 2 3\nf 1 3 4\n");
@@ -317,7 +318,8 @@ TEST(SceneObstacle, OfSeveralSheetsTheOneThatIsInTheWayIsNamed) {
         }
         return std::string("no error");
     };
-    // Through the triangle beyond the diagonal, whose centre is at a third and two thirds of the square.
+    // The box goes through the triangle beyond the diagonal, whose centre is at a third and two thirds of the
+    // square.
     const std::string across = message_of("{ size = [1e-3, 1e-3, 0.1], centre = [1.03, 0.07, 0.97] }");
     EXPECT_NE(across.find("1 of 2 faces of sheet.at1 start across its surface; the first is face 1 at "
                           "(1.033, 0.06667, 1) m"),
@@ -330,7 +332,7 @@ TEST(SceneObstacle, OfSeveralSheetsTheOneThatIsInTheWayIsNamed) {
     EXPECT_EQ(near.find("at1"), std::string::npos) << near;
 }
 
-// Springs of 1e9 N/m would throw it out at a hundred metres a second.
+// Contact springs of 1e9 N/m would throw the body out at a hundred metres per second.
 TEST(SceneObstacle, ABodyThatStartsInAnotherOneIsNamed) {
     const TemporaryDirectory directory;
     const auto outcome = [&](double height) {

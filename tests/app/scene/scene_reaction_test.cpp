@@ -9,7 +9,7 @@
 namespace sherd::test {
 namespace {
 
-// The plate 0 <= x <= 2, 0 <= y <= 1, of 10 kg.
+// Scene of a plate with 0 <= x <= 2 and 0 <= y <= 1, m, and a mass of 10 kg.
 const std::string held_plate = R"(duration = 100
 [sheet.plate]
 mesh = { generate = "rectangle", width = 2, height = 1, edge_length = 0.25 }
@@ -33,8 +33,8 @@ class Motion {
     }
     const Shell& shell() const { return simulation->shell().mechanics(); }
 
-    /// Makes a step, and returns the difference of mass times acceleration from reactions, weight and a load
-    /// (N/kg, on all vertices): force and moment, over the weight (N).
+    /// Makes a step. Returns by how much mass times acceleration differs from reactions, weight and a load:
+    /// force and moment (m), both divided by the weight. load_per_mass: N/kg, on all vertices.
     std::pair<double, double> imbalance(const Vector3d& load_per_mass = Vector3d::Zero()) {
         Positions before = shell().velocity;
         const StepReport report = simulation->step();
@@ -89,11 +89,11 @@ step = 1  # far beyond the slowest period, which takes the vibration out
     EXPECT_EQ(report.reactions[0].force.head<2>(), Vector2d(0, 0)) << "it is free there";
     EXPECT_EQ(report.reactions[1].force.x(), 0);
     EXPECT_NEAR(report.reactions[1].force.z(), little / 2, 0.01 * little);
-    // The corner is in two pins: the first takes the force along z, which it holds.
+    // The corner is in two pins: its force along z counts for the first of them, which holds this direction.
     EXPECT_EQ(report.reactions[2].force.z(), 0);
 }
 
-// A clamp bears a moment, which pins alone do not; a symmetry plane bears that of the other half.
+// A clamp bears a moment, which pins alone do not; a symmetry plane bears the moment of the other half.
 class ReactionWith : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Bending, ReactionWith, testing::Values("cubic", "coupled"));
 
@@ -112,8 +112,8 @@ gravity = [0, 0, -1e-3]
     const double load = 10 * 1e-3;  // N
     EXPECT_NEAR(report.reactions[0].force.z(), load, 1e-5 * load);
     EXPECT_NEAR(report.reactions[1].force.z(), 0, 1e-9 * load);
-    // A beam 4 m long, clamped at both ends: q l^2 / 12 there, q l^2 / 24 in the middle; within the error of
-    // plain hinges, or of a plate that has a width.
+    // The plate is half of a beam, 4 m long and clamped at both ends: the moment is q l^2 / 12 at the clamp
+    // and q l^2 / 24 in the middle, within the error of plain hinges, or of the width of the plate.
     const double error = (GetParam() == "cubic" ? 0.15 : 0.03) * load;
     EXPECT_NEAR(report.reactions[0].moment.y(), -load / 2 * 16 / 12, error);
     EXPECT_NEAR(report.reactions[1].moment.y(), -load / 2 * 16 / 24, error);
@@ -144,7 +144,7 @@ membrane = ")" +
     }
 }
 
-// Copies of a held vertex must be held, too, and a fragment must not take a reaction along.
+// Copies of a held vertex must be held, too, and fragments that fall off must not keep a reaction.
 TEST(BreakingReaction, BalancesWhileTheSheetBreaks) {
     for (const std::string rule : {"staged", "paper"}) {
         Motion run(held_plate + R"(pin = [{ boundary = true }]

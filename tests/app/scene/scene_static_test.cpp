@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Statics serve for verification and design: their result is the load of an event.
+// Statics serve for verification and design: users need the load at which a deflection or the first crack
+// occurs.
 #include <gtest/gtest.h>
 
 #include "meshops/error.h"
@@ -48,7 +49,7 @@ TEST(Statics, ReachLargeDeflectionsUnderTheirLoad) {
     EXPECT_FALSE(run->arrived()) << "that is for paths and cracks";
 }
 
-// The path must end exactly at the load, whatever the steps, at the equilibrium of load control.
+// The path must end exactly at the load, whatever the steps, and at the equilibrium that load control finds.
 TEST(Statics, APathEndsAtTheSameEquilibrium) {
     const auto run = simulation_of(cantilever + "step = 0.13\narc_length = true");
     StepReport report;
@@ -63,7 +64,7 @@ TEST(Statics, APathEndsAtTheSameEquilibrium) {
     EXPECT_NEAR(report.gauges[0].displacement.z(), 6.698, 0.01);
 }
 
-// A plate that hangs by one end: the strain grows with the load, so that its load at the first crack is
+// A plate hangs by one end: its strain is proportional to the load, so that the load at the first crack is
 // known.
 TEST(Statics, TheLoadAtTheFirstCrackIsFound) {
     const std::string plate = R"([sheet.plate]
@@ -112,7 +113,8 @@ step = 0.5
     }
 }
 
-// Otherwise each would be taken for a limitation of statics, or be ignored.
+// Keys that need time, and missing keys that statics need, must be reported: otherwise results would be wrong
+// without a message.
 TEST(Statics, RefuseWhatNeedsTime) {
     const auto message = [](const std::string& text) { return message_thrown_by([&] { built_from(text); }); };
     const std::string loose = R"([sheet.plate]

@@ -159,7 +159,8 @@ TEST(Scene, MembraneIsChosenAndKeptFromWrongNames) {
     EXPECT_NE(error.find("constant-strain"), std::string::npos) << error;
 }
 
-// Otherwise memory beyond the list of schemes would be read before the error is reported.
+// If an unknown word chose no valid entry, memory beyond the list of schemes would be read before the error
+// is reported.
 TEST(Scene, AWordThatIsNoneOfThoseKnownChoosesTheFirst) {
     Problems problems;
     toml::table table = toml::parse("known = \"b\"\nwrong = \"c\"\nother = 3");
@@ -174,7 +175,7 @@ TEST(Scene, AWordThatIsNoneOfThoseKnownChoosesTheFirst) {
     }
 }
 
-// Neither key would have an effect, so both are refused.
+// With coupled hinges neither a Jacobian nor a calibration would have an effect, so that both are refused.
 TEST(Scene, CoupledHingesTakeNeitherAJacobianNorACalibration) {
     const auto error_with = [](const std::string& key) {
         return message_thrown_by([&] { scene_of(small_scene, {{"solver.bending=coupled", key}, ""}); });
@@ -208,7 +209,7 @@ TEST(Scene, RotationsComeFirstAndInOrderThenTheTranslation) {
 translate = [0, 0, 10]
 rotate = [{ axis = [0, 0, 2], degrees = 90 }, { axis = [1, 0, 0], degrees = 90 }]
 )");
-    // x turns to y about z, and y to z about x.
+    // The first rotation turns x to y, and the second turns y to z.
     EXPECT_TRUE((scene.sheets[0].place * Vector3d(1, 0, 0)).isApprox(Vector3d(0, 0, 11)));
     EXPECT_TRUE((scene.sheets[0].place * Vector3d(0, 0, 1)).isApprox(Vector3d(0, -1, 10)));
 }
@@ -229,7 +230,7 @@ TEST(Scene, OverridesReplaceValuesAndStandInTheText) {
 }
 
 TEST(Scene, TheTextReadBackIsTheSameScene) {
-    // A recording keeps the text: its comments must not break it.
+    // A recording keeps the text: comments about overrides must not break it.
     const Scene scene = scene_of(small_scene, {{"duration=0.25"}, ""});
     EXPECT_EQ(scene_of(scene.text).sheets.size(), 1u);
 }
@@ -266,8 +267,8 @@ TEST(SceneMesh, FilesAreScaledAndPlaced) {
     EXPECT_NEAR(measure(mesh).area, 0.5, 1e-15);
 }
 
-// A scene can give the size of a mesh whose size in the file is unknown. Points that no face uses do not
-// count.
+// A scene can give the size of a mesh whose unit in the file is unknown. Points that no face uses must not
+// count for it.
 TEST(SceneMesh, FilesAreAsLargeAsTheSceneSays) {
     const TemporaryDirectory directory;
     directory.write("tri.obj", "v -300 0 0\nv 100 0 0\nv 0 -40 0\nv 999 0 0\nf 1 2 3\n");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A variant that changes more or less than its keys makes a comparison of variants worthless.
+// If a variant changed more or less than its keys, a comparison of variants would be worthless.
 #include <gtest/gtest.h>
 
 #include <algorithm>

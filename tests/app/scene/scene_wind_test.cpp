@@ -14,7 +14,7 @@
 namespace sherd::test {
 namespace {
 
-// Two flags of 0.2 m x 0.1 m, one above the other.
+// Scene of two flags of 0.2 m x 0.1 m, one above the other.
 const std::string flags = R"(duration = 0.1
 seed = 7
 [sheet.lower]
@@ -94,7 +94,8 @@ TEST(SceneWind, MistakesAreNamed) {
          "force.wind[1].sheet: a sheet is in the wind of");
 }
 
-// Users see the size and rate of the gusts; the sums are over many places and times.
+// Users see the size and the rate of gusts, which must be as given. The sums are over many places, times and
+// seeds.
 TEST(SceneWind, GustsHaveTheSizeTheLengthAndThePaceThatAreGiven) {
     const GustSpec gust{2, 0.3, 0.5};
     const auto wind = [&](std::int64_t seed) {
@@ -126,8 +127,8 @@ TEST(SceneWind, GustsHaveTheSizeTheLengthAndThePaceThatAreGiven) {
     }
     const auto rms = [&](double sum) { return std::sqrt(sum / count); };
     EXPECT_NEAR(rms(square), 2, 0.1);
-    // A wave of length l differs by 2 pi s / l over a distance s along it; the mean over directions and
-    // octaves.
+    // A wave of length l changes by 2 pi s / l over a distance s along it. The factor is the mean over
+    // directions and octaves.
     const double wavelengths = 2 * std::acos(-1) / std::sqrt(3.0) * 1.18;
     EXPECT_NEAR(rms(nearby), 2 * wavelengths * 0.02 / 0.5, 0.1) << "over a twenty-fifth of the length";
     EXPECT_NEAR(rms(carried), 2 * 2 * std::acos(-1) * 1.16 * 0.012 / 0.3, 0.1)
@@ -137,7 +138,7 @@ TEST(SceneWind, GustsHaveTheSizeTheLengthAndThePaceThatAreGiven) {
 
 TEST(SceneWind, TheSameSeedGivesTheSameBitsAndAnotherOneOthers) {
     const auto positions = [](std::int64_t seed) {
-        std::vector<SheetInput> inputs;  // seed of the scene, so that only the air differs
+        std::vector<SheetInput> inputs;  // made with the scene's seed, so that only the air differs
         SimulationOptions options = prepare(gusty, inputs);
         if (seed != 7) options.stepper.shell.winds[0].gusts = gust_waves({2, 0.3, 0.5}, {5, 0, 0}, seed);
         Simulation simulation(inputs, options);
@@ -150,7 +151,7 @@ TEST(SceneWind, TheSameSeedGivesTheSameBitsAndAnotherOneOthers) {
     EXPECT_EQ(positions(8), positions(8));
 }
 
-// The free flag must move with the wind, the pinned one stream out behind its pole.
+// The free flag must move with the wind, and the pinned flag stream out behind its pole.
 TEST(SceneWind, BlowsFlags) {
     std::vector<SheetInput> inputs;
     const SimulationOptions options = prepare(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Otherwise the page of a textured bowl shows wrong pictures, materials or colours.
+// If a test failed, the page of a textured bowl would show wrong pictures, materials or colours.
 #include "app/view/page_look.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 using Numbers = std::vector<std::uint32_t>;
 
-/// Synthetic run, whose sheets have a different look in each frame.
+/// Test with a synthetic run, whose sheets have different textures, materials and colours in each frame.
 class LookOfPage : public ::testing::Test {
   protected:
     LookOfPage() : run(synthetic_run()) {
@@ -82,7 +82,7 @@ TEST_F(LookOfPage, IsThatOfEachFrame) {
     const Recording recording(folder.path / "run.h5");
     const RenderStage stage(recording, StageOptions(), warnings);
     SurfaceLook start = run.header.rest_look;
-    start.material[0] = start.material[3];  // rows in another order than in the frames
+    start.material[0] = start.material[3];  // so that rows have another order than in the frames
     const PageLook look(start, 1'000'000, warnings);
     const Json data = view_data(recording, stage, {0, 1, 2}, {}, look);
     const auto first = [&](const char* name) { return decoded<std::uint32_t>(data["look"][name]); };

@@ -24,7 +24,7 @@ TEST(ViewFrames, AreThinnedToTheRoomThereIs) {
     EXPECT_EQ(shown_frames(1, 1000000, 10), (Frames{0}));
 }
 
-/// Synthetic run as a page has it.
+/// Test with a recording of the synthetic run, and with the data of its page.
 class View : public ::testing::Test {
   protected:
     View() : run(synthetic_run()) { record(run, folder.path / "run.h5"); }
@@ -76,7 +76,8 @@ TEST_F(View, KeepsPositionsToAFewMillionthsOfTheSize) {
             for (int k = 0; k < 3; ++k)
                 shift(k, v) = page["low"][k].get<double>() +
                               packed[3 * v + k] * page["step"][k].get<double>() - position(k, v);
-        // Positions are relative to the centre of the action: the same shift for all.
+        // Positions in the page are relative to the centre of the action, so that all are shifted by one
+        // vector.
         const Vector3d first = shift.col(0);
         for (int k = 0; k < 3; ++k)
             EXPECT_LE((shift.colwise() - first).row(k).cwiseAbs().maxCoeff(),
@@ -84,7 +85,7 @@ TEST_F(View, KeepsPositionsToAFewMillionthsOfTheSize) {
     }
 }
 
-// The brightest colour is the largest value of the bar, and pressure the darkest.
+// The brightest colour must stand for the largest value on the bar, and the darkest for compression.
 TEST_F(View, ShowsStressInsteadOfStrain) {
     EXPECT_EQ(data({0})["scalar"], "strain");
     add_fields(run);
@@ -177,7 +178,7 @@ TEST_F(View, DrawsCracksAsCracksAndTheRimAsRim) {
     EXPECT_EQ(count(1, 2), 16) << "two lips of eight edges";
 }
 
-// The files must be in the program unchanged, and the page must not load anything else.
+// The page's scripts must be in the program unchanged, and the page must not load anything from elsewhere.
 TEST_F(View, PageIsWholeAndAsksForNothingElse) {
     ViewOptions options;
     options.recording = folder.path / "run.h5";
@@ -268,7 +269,7 @@ TornSquare torn_square(Index sides) {
     return square;
 }
 
-// A crack closed by thinning, or a distorted fragment, would show another run.
+// If thinning closed a crack or distorted a fragment, the page would show another run.
 TEST(MeshThinning, KeepsFragmentsApartAndTheirShape) {
     const TornSquare square = torn_square(60);
     const MeshThinning thinning(square.header, square.frames[0].face_sheet, 0.1);
@@ -293,7 +294,7 @@ TEST(MeshThinning, KeepsFragmentsApartAndTheirShape) {
     }
 }
 
-// Otherwise colours would be those of other places.
+// If fields came from other faces, colours would be at wrong places.
 TEST(MeshThinning, KeepsTheFieldsOfFacesWhereTheyAre) {
     const TornSquare square = torn_square(40);
     Snapshot frame = square.frames[0];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Batches must have the gradient of the energies that they replace.
+// Elastic forces are computed for several elements at once, in batches. A batch must have the gradient of
+// the energies that it replaces.
 #include "core/batches/elastic_gradient.h"
 
 #include <gtest/gtest.h>
@@ -40,7 +41,8 @@ void expect_same(const Shell& shell, const ShellEnergyOptions& options, double a
         << " mirrors";
 }
 
-// Flat and curved sheets, small and large angles, with and without mirrors.
+// A wrong formula in a batch would move sheets wrongly. Sheets are flat and curved, angles small and large,
+// with and without mirrors.
 TEST(ElasticGradient, IsThatOfTheEnergiesWithEachModel) {
     Shell flat = test::flat_patch(), curved = curved_sheet();
     flat.face_sheet.assign(flat.triangles.size(), 0);
@@ -54,7 +56,7 @@ TEST(ElasticGradient, IsThatOfTheEnergiesWithEachModel) {
             }
 }
 
-// Batches must follow an edge that opens: its sides are free then, and shares change.
+// Batches that ignored the failure of a hinge would still hold its two faces together.
 TEST(ElasticGradient, FollowsAnEdgeThatOpens) {
     for (const ShellEnergyOptions& options : all_models) {
         Shell shell = curved_sheet();
@@ -72,7 +74,8 @@ TEST(ElasticGradient, FollowsAnEdgeThatOpens) {
     }
 }
 
-// Otherwise steps would continue with the forces of a hinge that has been removed.
+// If the elastic energy did not tell its parts of the failure, steps would continue with the forces of a
+// hinge that has been removed.
 TEST(ElasticEnergy, FollowsItsPartsWhenAnEdgeOpens) {
     for (const ShellEnergyOptions& options : all_models) {
         Shell shell = curved_sheet();
@@ -97,7 +100,7 @@ TEST(ElasticEnergy, FollowsItsPartsWhenAnEdgeOpens) {
     }
 }
 
-// Otherwise a run would depend on the number of the machine's cores.
+// If the forces depended on the number of threads, a run would depend on the number of the machine's cores.
 TEST(ElasticGradient, HasTheSameBitsWithAnyNumberOfThreads) {
     const Shell shell = test::stacked_plates(2, 40, 0.1, test::glass);
     for (const ShellEnergyOptions& options : {all_models[0], all_models[1]}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pairings of a bending model and a Jacobian, in whole time steps.
+// Pairs of a bending model and a Jacobian, in whole time steps.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace sherd {
 namespace {
 
 using enum BendingModel;
-constexpr int across = 3, around = 9;  // vertices
+constexpr int across = 3, around = 9;  // numbers of vertices along the tube's axis, and around it
 const double edge_length = 0.02;
 const Material tube_material{1000, 0.001, 1e7, 0.3};
 
@@ -21,7 +21,8 @@ Index vertex(int i, int j) {
     return across * i + j;
 }
 
-/// A quarter of a tube, `around` edges around and `across` wide, with unequal triangles, clamped at one end.
+/// A quarter of a tube with `around` vertices around and `across` along its axis, and unequal triangles,
+/// clamped at one end.
 Shell arch() {
     Shell shell;
     resize_vertices(shell, around * across);
@@ -57,8 +58,8 @@ Shell arch() {
     return shell;
 }
 
-/// Swings the arch under its weight for `steps` steps of 5 ms; returns the positions and counts the
-/// iterations of Newton's method.
+/// Lets the arch swing under its weight for `steps` steps of 5 ms. Returns its last positions, and adds the
+/// number of Newton's iterations to `iterations`.
 Positions swung(const BendingOptions& bending, int steps, int& iterations) {
     Shell shell = arch();
     StepperOptions options;
@@ -77,8 +78,8 @@ Positions swung(const BendingOptions& bending, int steps, int& iterations) {
     return shell.position;
 }
 
-// The energy alone determines where a step ends. A wrong Jacobian must not end it early or pull the sheet
-// elsewhere.
+// The energy alone determines where a step ends: an approximate Jacobian must neither end the step early nor
+// lead to other positions.
 TEST(BendingEnergy, EveryJacobianLeadsToTheSamePositions) {
     for (const BendingModel model : {cubic, cubic_2007, nonlinear}) {
         int exact_iterations = 0;
@@ -93,7 +94,8 @@ TEST(BendingEnergy, EveryJacobianLeadsToTheSamePositions) {
     }
 }
 
-// The models differ off isometries alone: a sheet that hardly stretches must move alike under each.
+// The models differ only where triangles are stretched: a sheet that hardly stretches must move alike under
+// all of them.
 TEST(BendingEnergy, CubicAndNonlinearSheetsMoveAlike) {
     int iterations = 0;
     const Positions nonlinear_path = swung({nonlinear, BendingJacobian::nonlinear}, 40, iterations);
@@ -106,7 +108,7 @@ TEST(BendingEnergy, CubicAndNonlinearSheetsMoveAlike) {
     }
 }
 
-// Each name must select its model, in the sum over the hinges as in a single hinge.
+// With another model than the chosen one a sheet would bend wrongly. Reference: the sum over single hinges.
 TEST(BendingEnergy, SumsTheChosenModel) {
     const Shell shell = arch();
     Positions x = shell.rest;

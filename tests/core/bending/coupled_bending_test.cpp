@@ -23,8 +23,9 @@ TEST(CoupledBending, DerivativesAreThoseOfTheValue) {
     }
 }
 
-// Otherwise the solver would not converge where faces yield. (Far beyond the yield stress, or within it: in
-// between the second derivative changes too fast for differences; YieldingSection tests that.)
+// With wrong derivatives the solver would not converge where faces yield. All faces here are far beyond the
+// yield stress: near it the second derivative changes too fast for difference quotients; YieldingSection
+// tests that range.
 TEST(CoupledBending, DerivativesAreThoseOfTheValueWhereFacesYield) {
     Shell shell = test::curved_patch();
     shell.face_sheet.assign(shell.triangles.size(), 0);
@@ -77,8 +78,8 @@ TEST(CoupledBending, ConvexHessianIsSemidefiniteAndExactAtRest) {
     EXPECT_LT((exact - test::hessian_of(bending, shell.rest, Curvature::convex)).norm(), 1e-9 * exact.norm());
 }
 
-// Mechanisms would let a sheet crumple without energy: only the rigid motions of a free shell, and all
-// motions of a flat one in its plane, may cost no bending.
+// Mechanisms would let a sheet crumple without energy: only rigid motions, and motions of a flat sheet in
+// its plane, may cost no bending energy.
 TEST(CoupledBending, FlatSheetHasNoModesWithoutEnergyButItsPlanes) {
     const Shell shell = test::flat_patch();
     const CoupledBending bending(shell, {});
@@ -97,7 +98,7 @@ double quadratic(double x, double y) {
     return 0.5 * x * x + 0.7 * x * y - 0.3 * y * y;
 }
 
-// The property that makes the model converge, and that the plain hinge lacks.
+// Without this property, which single hinges lack, bending would not converge as a mesh is refined.
 TEST(CoupledBending, QuadraticSurfaceHasItsCurvatureInEveryFaceButAtFreeEdges) {
     const Shell shell = test::flat_patch();
     const double amplitude = 1e-6;
@@ -122,19 +123,19 @@ TEST(CoupledBending, QuadraticSurfaceHasItsCurvatureInEveryFaceButAtFreeEdges) {
     EXPECT_GT(inner, 20);
 }
 
-// At a symmetry plane and at a clamp the faces must include the other half of the surface.
+// At a symmetry plane and at a clamp, the curvature of a face must include the mirror image of the surface.
 TEST(CoupledBending, SurfaceHasItsCurvatureBesideMirrors) {
     Shell shell = test::flat_patch();
     const double amplitude = 1e-6;
     Positions x = shell.rest;  // slope zero across both mirrors
     for (Index v = 0; v < x.cols(); ++v) x(2, v) = amplitude * (0.5 * x(0, v) * x(0, v) - x(1, v) * x(1, v));
     const Eigen::Matrix3Xd curvatures = CoupledBending(shell, test::patch_mirrors(shell)).curvatures(x);
-    const std::array<Index, 3>& corner = shell.triangles[1].vertices;  // a corner on both mirrors
+    const std::array<Index, 3>& corner = shell.triangles[1].vertices;  // vertex 0 is on both mirrors
     EXPECT_EQ(*std::ranges::min_element(corner), 0);
     EXPECT_NEAR((curvatures(0, 1) + curvatures(1, 1)) / amplitude, -1, 1e-6);
 }
 
-// Damping measures from a shape other than rest.
+// Damping measures curvatures from another shape than the rest shape.
 TEST(CoupledBending, StartsFromAnyShape) {
     const Shell shell = test::curved_patch();
     CoupledBending bending(shell, {});

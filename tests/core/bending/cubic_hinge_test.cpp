@@ -25,7 +25,7 @@ TEST(CubicHinge, HasNoForceAtRestHoweverCurved) {
     }
 }
 
-// Newton's method uses this matrix where the exact Hessian is indefinite.
+// Newton's method uses the quadratic part where the exact Hessian is indefinite.
 TEST(CubicHinge, QuadraticPartIsPositiveSemidefinite) {
     Random random(5);
     for (int i = 0; i < 500; ++i) {
@@ -35,8 +35,8 @@ TEST(CubicHinge, QuadraticPartIsPositiveSemidefinite) {
     }
 }
 
-// The correction must be a sum over edge lengths, which no isometry changes: nothing may join the apexes 2
-// and 3.
+// The correction of the form of 2007 must be a sum over squared edge lengths, which no isometry changes: no
+// term may join the apexes 2 and 3, between which there is no edge.
 TEST(CubicHinge, QuadraticCorrectionIsMadeOfEdgeLengths) {
     Random random(6);
     for (int i = 0; i < 200; ++i) {
@@ -50,8 +50,8 @@ TEST(CubicHinge, QuadraticCorrectionIsMadeOfEdgeLengths) {
     }
 }
 
-// For flat rest shapes the cubic shell is the quadratic model, 3 lambda / (2 A) |K x|^2, and both forms
-// agree.
+// For flat rest shapes both forms of the cubic shell, of 2007 and corrected, are the quadratic model, 3
+// lambda / (2 A) |K x|^2, with the stiffness lambda and the area A of both triangles.
 TEST(CubicHinge, IsTheQuadraticModelWhereTheRestShapeIsFlat) {
     Random random(7);
     for (int i = 0; i < 200; ++i) {
@@ -68,7 +68,7 @@ TEST(CubicHinge, IsTheQuadraticModelWhereTheRestShapeIsFlat) {
     }
 }
 
-// The form of 2007 has its known forces at rest, which the correction removes.
+// The form of 2007 has forces at a curved rest shape, as is known; the correction removes them.
 TEST(CubicHinge, FormOf2007HasAForceAtRestWhereItIsCurved) {
     const HingePositions rest = test::folded_hinge(1, 0.4, 0.7, 0.2, 1.1);
     EXPECT_NEAR(value(cubic_hinge_2007(rest, bend_stiffness), rest), 0, 1e-14);
@@ -84,7 +84,8 @@ TEST(Hinge, StrainIsTheChangeOfAngleOverTheHeightOfTheHinge) {
     const RestHinge rest = rest_hinge(test::folded_hinge(3.0, 0.4, 0.7, 0.2, 1.1));
     EXPECT_NEAR(rest.area, 0.9, 1e-15);
     EXPECT_NEAR(hinge_strain(rest, test::folded_hinge(2.5, 0.4, 0.7, 0.2, 1.1)), -0.5 / 0.9, 1e-13);
-    // Folding further through flat onto itself goes the short way round.
+    // From 3.0 rad the hinge folds through pi, flat onto itself, to -3.0 rad: the change is 2 pi - 6, not
+    // -6.
     EXPECT_NEAR(hinge_strain(rest, test::folded_hinge(-3.0, 0.4, 0.7, 0.2, 1.1)),
                 (2 * std::acos(-1.0) - 6) / 0.9, 1e-13);
 }

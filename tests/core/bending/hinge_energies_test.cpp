@@ -14,8 +14,8 @@
 namespace sherd::test {
 namespace {
 
-/// Formulas of the paper, literally and for any scalar type, as reference for the tests. No code is shared
-/// with core/.
+/// Formulas of the paper that docs/theory/bending.md follows, literally and for any scalar type, as
+/// reference for the tests. No code is shared with core/.
 template <class Scalar>
 using Vector = Eigen::Matrix<Scalar, 3, 1>;
 
@@ -54,7 +54,7 @@ double two_areas(const HingeEdges<double>& rest) {
     return 0.5 * (cross<double>(rest.e0, rest.e1).norm() + cross<double>(rest.e0, rest.e2).norm());
 }
 
-/// Eq. 4 with the true angle.
+/// Eq. 4 of the paper with the true angle.
 template <class Scalar>
 Scalar nonlinear_energy(const HingePositions& rest, double stiffness, const Quad<Scalar>& x) {
     const HingeEdges<double> bar(rest);
@@ -69,7 +69,7 @@ Scalar nonlinear_energy(const HingePositions& rest, double stiffness, const Quad
     return Scalar(3 * stiffness * bar.e0.squaredNorm() / two_areas(bar) * (1 - turned));
 }
 
-/// Eq. 7 with the corrected k, by the edge normals t0 and t1 of eqs. 5 and 6.
+/// Eq. 7 of the paper with the corrected k, by the edge normals t0 and t1 of its eqs. 5 and 6.
 template <class Scalar>
 Scalar cubic_energy_2007(const HingePositions& rest, double stiffness, const Quad<Scalar>& x) {
     const HingeEdges<double> bar(rest);
@@ -114,8 +114,8 @@ struct Cubic2007 {
 
 struct Cubic {
     static CubicHinge make(const HingePositions& rest) { return cubic_hinge(rest, stiffness); }
-    /// Eq. 7 and the term that its equilibrium at rest adds: the difference of the two Q, which is a sum of
-    /// edge Laplacians (QuadraticCorrectionIsMadeOfEdgeLengths).
+    /// Eq. 7 and the correction that puts the rest shape in equilibrium: the difference of the matrices Q of
+    /// both forms, which is a sum over squared edge lengths (QuadraticCorrectionIsMadeOfEdgeLengths).
     template <class Scalar>
     static Scalar energy(const HingePositions& rest, const Quad<Scalar>& x) {
         const Eigen::Matrix4d added = make(rest).quadratic - Cubic2007::make(rest).quadratic;
@@ -179,7 +179,7 @@ TYPED_TEST(HingeEnergy, IsThePapersFormulaToTheSecondDerivative) {
     }
 }
 
-// No bending model may set a sheet in motion or spin it by itself.
+// With a net force or torque, a bending model would set a free sheet in motion.
 TYPED_TEST(HingeEnergy, HasNoNetForceOrTorqueOnAnyDeformation) {
     Random random(4);
     for (int i = 0; i < 500; ++i) {
@@ -208,7 +208,7 @@ TYPED_TEST(HingeEnergy, IsTheSameAfterARigidMotionOfEitherShape) {
     }
 }
 
-// Folding about the edge keeps both triangles: there all three are eq. 4.
+// Folding about the edge stretches no triangle: for such motions all three energies must equal eq. 4.
 TYPED_TEST(HingeEnergy, IsEquationFourAlongIsometries) {
     Random random(6);
     for (int i = 0; i < 500; ++i) {

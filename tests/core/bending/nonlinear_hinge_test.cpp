@@ -13,7 +13,7 @@ namespace {
 
 using test::Random;
 
-// Exactly zero: a sheet at rest must not creep.
+// The force must be exactly zero: otherwise a sheet at rest would creep.
 TEST(NonlinearHinge, HasNoForceAtRestHoweverCurved) {
     Random random(1);
     for (int i = 0; i < 200; ++i) {
@@ -24,7 +24,7 @@ TEST(NonlinearHinge, HasNoForceAtRestHoweverCurved) {
     }
 }
 
-// Newton's method uses this matrix where the exact one is indefinite. At rest they must be equal.
+// Newton's method uses the convex Hessian where the exact one is indefinite. At rest both must be equal.
 TEST(NonlinearHinge, ConvexHessianIsPositiveSemidefiniteAndExactAtRest) {
     Random random(2);
     for (int i = 0; i < 200; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A strip that was bent far beyond yield and is released: it must keep the curvature that metal keeps, and
-// the balance include the energy.
+// A strip that is bent far beyond yield and released must keep the curvature that a strip of metal keeps,
+// and the energy balance must include the energy that yielding takes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ using namespace test::yielding;
 const Material spring_steel{
     .density = 7850, .thickness = thickness, .young = young, .poisson = poisson, .yield = yield};
 
-/// Strip along x of 30 by 3 squares, bent to this curvature.
+/// Strip along x of 30 by 3 squares, bent to `curvature` (1/m).
 Shell bent_strip(double curvature) {
     constexpr int columns = 30, rows = 3;
     Positions rest(3, (columns + 1) * (rows + 1));
@@ -38,7 +38,7 @@ Shell bent_strip(double curvature) {
     return shell;
 }
 
-/// Curvature of the circle through the middle and the quarters of the strip's middle line, 1/m.
+/// Curvature, 1/m, of the circle through the middle and the quarter points of the strip's middle line.
 double curvature(const Shell& shell) {
     const auto at = [&](int column) {
         return Vector3d((shell.position.col(4 * column + 1) + shell.position.col(4 * column + 2)) / 2);
@@ -47,7 +47,7 @@ double curvature(const Shell& shell) {
     return 2 * a.cross(b).norm() / (a.norm() * b.norm() * (a - b).norm());
 }
 
-/// Releases the strip and makes `count` steps of `step` s.
+/// Releases the strip and makes `count` steps of `step` s. Returns the stepper.
 std::unique_ptr<Stepper> released(Shell& shell, double step, int count) {
     StepperOptions options;
     options.step = step;
@@ -57,18 +57,19 @@ std::unique_ptr<Stepper> released(Shell& shell, double step, int count) {
     std::unique_ptr<Stepper> stepper = make_stepper(shell, options);
     for (int i = 0; i < count; ++i) {
         EXPECT_TRUE(stepper->begin());
-        EXPECT_TRUE(stepper->solve(1000));  // the number of iterations in so long a step is chaotic
+        EXPECT_TRUE(stepper->solve(1000));  // such long steps need very different numbers of iterations
         stepper->finish();
     }
     return stepper;
 }
 
-// Steps far longer than a vibration, so that no wave of curvature bends the strip further.
+// Layers through the thickness are the reference. Steps are far longer than a period of vibration, so that
+// no wave of curvature bends the strip further.
 TEST(Springback, AStripOfSteelKeepsWhatLayersDo) {
     for (const double ratio : {2.0, 4.0}) {
         Shell shell = bent_strip(ratio * first);
         released(shell, 0.1, 20);
-        Layers layers;  // bent alike, and then free in both directions
+        Layers layers;  // bent to the same curvature, then released in both directions
         const Vector3d bent(ratio * first, 0, 0);
         EXPECT_NEAR(curvature(shell), Layers::plastic_curvature(bent, layers.bend(bent))[0], 0.03 * first)
             << ratio;

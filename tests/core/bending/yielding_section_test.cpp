@@ -19,7 +19,8 @@ YieldingSection steel() {
     return {rigidity(), yield_moment};
 }
 
-/// State at the curvature along the second axis at which only the first one bears a moment, by bisection.
+/// State of a section with `curvature` along the first axis that bears no moment along the second axis; the
+/// curvature along the second axis is found by bisection.
 YieldingSection::State in_one_direction(double curvature, const PlasticBend& before) {
     double least = -curvature, most = curvature;
     for (int i = 0; i < 100; ++i) {
@@ -29,8 +30,8 @@ YieldingSection::State in_one_direction(double curvature, const PlasticBend& bef
     return steel().at({curvature, most, 0}, before);
 }
 
-// A strip that is bent and released keeps, by Gardiner 1957 and every handbook of forming, all but (3 - (k_y
-// / k)^2) / 2 times k_y of its curvature k.
+// A strip of curvature k that is released keeps, by Gardiner 1957 and every handbook of forming, all of it
+// but (3 - (k_y / k)^2) / 2 times k_y, the curvature at first yield.
 TEST(YieldingSection, AStripSpringsBackAsHandbooksSay) {
     for (const double ratio : {0.5, 1.0, 1.01, 1.5, 3.0, 20.0}) {
         const YieldingSection::State bent = in_one_direction(ratio * first, {});
@@ -41,8 +42,8 @@ TEST(YieldingSection, AStripSpringsBackAsHandbooksSay) {
     }
 }
 
-// No such formula exists for bending in two directions or twist; layers through the thickness are the
-// reference.
+// For bending in two directions and for twist there is no formula like that of a strip; layers through the
+// thickness are the reference.
 TEST(YieldingSection, OtherBendsAreNearlyThoseOfLayers) {
     for (const Vector3d& way : {Vector3d(1, 0, 0), Vector3d(1, 1, 0), Vector3d(1, -1, 0), Vector3d(0, 0, 1.5),
                                 Vector3d(1, 0.3, 0.7)}) {
@@ -60,7 +61,8 @@ TEST(YieldingSection, OtherBendsAreNearlyThoseOfLayers) {
     }
 }
 
-// Bent back to zero moment a section takes no more energy, and bent there again it is elastic.
+// A section that has yielded takes no more energy when it is bent back to zero moment, and is elastic until
+// it is bent as far as before.
 TEST(YieldingSection, IsElasticWithinWhatItHasBorne) {
     const Vector3d far(3 * first, first, 0.5 * first);
     const PlasticBend plastic = steel().at(far, {}).plastic;
@@ -74,8 +76,8 @@ TEST(YieldingSection, IsElasticWithinWhatItHasBorne) {
     }
 }
 
-// The solver minimises a potential: the moment must be the derivative of the stored and the dissipated
-// energy, and the tangent that of the moment, in orthotropic materials, too.
+// The solver minimises a potential: the moment must be the derivative of the sum of stored and dissipated
+// energy, and the tangent the derivative of the moment, in orthotropic materials, too.
 TEST(YieldingSection, DerivativesAreThoseOfThePotential) {
     test::Random random(5);
     const Matrix3d grain{{9, 1, 0}, {1, 3, 0}, {0, 0, 2}};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where an obstacle's corners and edges meet the faces of a sheet, or an obstacle is thinner than the motion
-// in a step, contact at the sheet's vertices alone would let it through.
+// in a step, contact at the sheet's vertices alone would let the obstacle through.
 #include <gtest/gtest.h>
 
 #include "core/contact/colliders/contact_colliders.h"
@@ -25,7 +25,8 @@ StepperOptions against(const Obstacle& obstacle, double step) {
     return options;
 }
 
-/// Advances by `count` steps; fails unless each can be solved and leaves a gap.
+/// Advances by `count` steps; fails unless each step can be solved and leaves a gap of 5 % of `thickness`
+/// (m).
 void advance(Shell& shell, const StepperOptions& options, int count, double thickness) {
     ImplicitStepper time_step(shell, options);
     for (int i = 1; i <= count; ++i) {
@@ -62,7 +63,7 @@ TEST(ColliderContact, ForceAndStiffnessAreDerivativesOfTheValue) {
     expect_friction_along_x(shell, contact, test::step_of(shell, 1, 1e-3));
 }
 
-// The corner of a box fits between the vertices of a coarse plate.
+// The corner of a box fits between the vertices of a coarse plate, where only contact with faces stops it.
 TEST(ColliderContact, ACornerDoesNotPassThroughAFace) {
     Shell shell = stacked_plates(1, 2, 0, firm_rubber);
     shell.position.colwise() += Vector3d(0.011, 0.007, 0.004);
@@ -71,7 +72,7 @@ TEST(ColliderContact, ACornerDoesNotPassThroughAFace) {
     EXPECT_GT(linear_momentum(shell).z(), -0.9 * 10 * shell.mass.sum()) << "it felt the corner";
 }
 
-// 1 km/s, with a step in which the plate would end far behind the wall.
+// In one step at 1 km/s the plate would end far behind the wall.
 TEST(ColliderContact, AThinWallStopsAPlateAtAKilometreASecond) {
     Shell shell = stacked_plates(1, 4, 0, ceramic);
     shell.position.row(2).array() += 0.05;
@@ -82,7 +83,7 @@ TEST(ColliderContact, AThinWallStopsAPlateAtAKilometreASecond) {
     EXPECT_GT(linear_momentum(shell).z(), 0) << "thrown back";
 }
 
-// A moving thin box must take along whatever is in its way, though it advances by many thicknesses a step.
+// A thin box must take along a plate in its path, although it moves by many of its thicknesses in a step.
 TEST(ColliderContact, AMovingWallTakesAPlateAlong) {
     Shell shell = stacked_plates(1, 4, 0, firm_rubber);
     shell.position.row(2).array() += 0.003;
@@ -94,7 +95,8 @@ TEST(ColliderContact, AMovingWallTakesAPlateAlong) {
     EXPECT_GT(shell.velocity.row(2).mean(), 15);
 }
 
-// The surface must not add to the spring at the vertices: a plate lies on a box as on a plane.
+// Contact with the box's surface must not add to the springs at the sheet's vertices: a plate must sink
+// equally deep into a box with a surface and into one without, which has springs alone, like a plane.
 TEST(ColliderContact, APlateLiesOnABoxAsOnAPlane) {
     double depth[2];
     for (const bool surface : {false, true}) {
@@ -117,7 +119,8 @@ TEST(ColliderContact, APlateLiesOnABoxAsOnAPlane) {
     EXPECT_NEAR(depth[1], depth[0], 1e-2 * depth[0]);
 }
 
-// A sheet that is pinned inside a box, near its surface, hangs from it; the rest of it meets the box.
+// A sheet that is pinned inside a box, near its surface, must hang from the box freely; the rest of the
+// sheet must collide with the box.
 TEST(ColliderContact, WhatIsHeldInsideDoesNotMeetItsHolder) {
     Shell shell = stacked_plates(1, 8, 0, firm_rubber);
     const Obstacle holder = solid_box(Vector3d(-0.06, 0, 0), Vector3d(0.0105, 0.2, 0.01));

@@ -28,7 +28,8 @@ auto cross(const Vector& a, const Vector& b) {
     return c;
 }
 
-/// Squared distance from textbook formulas for unbounded points, lines and planes, with any scalar type.
+/// Squared distance from textbook formulas, for any scalar type, of the points, lines and planes through the
+/// elements' closest vertices, edges and faces.
 struct Unbounded {
     PairKind kind;
     Closest closest;
@@ -60,8 +61,8 @@ struct Unbounded {
     }
 };
 
-// Any wrong case, sign or cancellation lets elements pass: the distance must be the smallest over all points,
-// on degenerate elements, too.
+// A distance that is too large, by a wrong case, sign or cancellation, lets elements pass: it must be the
+// smallest over all points of the elements, also of degenerate ones.
 TEST(ContactDistance, IsTheSmallestOverAllPoints) {
     for (const PairKind kind : test::pair_kinds)
         for (const PairPositions& x : test::adversarial_pairs(2000)) {
@@ -82,7 +83,8 @@ TEST(ContactDistance, KeepsItsDigitsFarFromTheOrigin) {
         }
 }
 
-// All seven cases: derivatives against automatic differentiation of the textbook formula of the case.
+// Wrong derivatives would push elements wrongly. In every case of closest elements, the reference is
+// automatic differentiation of the textbook formula.
 TEST(ContactDistance, DerivativesAreThoseOfTheTextbookFormulas) {
     int seen[2][3] = {};
     for (const PairKind kind : test::pair_kinds) {
@@ -103,8 +105,8 @@ TEST(ContactDistance, DerivativesAreThoseOfTheTextbookFormulas) {
         for (const int count : of_kind) EXPECT_GT(count, 10);
 }
 
-// The gradient is continuous over the borders between the cases: a jump would keep Newton's method from
-// converging.
+// The gradient is continuous over the borders between the cases of closest elements: a jump would keep
+// Newton's method from converging.
 TEST(ContactDistance, GradientIsTheDifferenceQuotientAcrossCases) {
     for (const PairKind kind : test::pair_kinds) {
         Random random(5);
@@ -126,7 +128,8 @@ TEST(ContactDistance, GradientIsTheDifferenceQuotientAcrossCases) {
     }
 }
 
-// Newton's third law for a pair, of distance and mollifier: a net force or torque would set a heap spinning.
+// Newton's third law for the distance and the mollifier of a pair: a net force or torque would set a heap
+// spinning.
 TEST(ContactDistance, ForcesOfAPairHaveNeitherSumNorTorque) {
     const auto expect_balance = [](const PairPositions& x, const PairPositions& forces) {
         Vector3d torque = Vector3d::Zero();
@@ -153,8 +156,8 @@ TEST(EdgeMollifier, DerivativesAreThoseOfTheFormula) {
         const PairPositions x = random.matrix<PairPositions>(1);
         const EdgeMollifier mollifier{4};
         const auto formula = [&](const auto& at) {
-            // A scalar each: expressions of nested derivatives refer to their own temporaries, which are
-            // gone.
+            // Each result is a scalar, not an expression: expressions of nested derivatives refer to
+            // temporaries that would be gone.
             using Scalar = decltype(crossing(at));
             const Scalar ratio = crossing(at) / 4.0, left = 2.0 - ratio;
             return Scalar(ratio * left);
@@ -175,7 +178,8 @@ TEST(EdgeMollifier, DerivativesAreThoseOfTheFormula) {
     EXPECT_LT(active, 180);
 }
 
-// For parallel edges value and gradient must vanish, and all derivatives be finite.
+// For parallel edges the mollifier's value and gradient must vanish, and the derivatives of the distance
+// must be finite.
 TEST(EdgeMollifier, LeavesNothingOfParallelEdges) {
     PairPositions x;
     x << 0, 1, 0.3, 1.7, 0, 0, 0, 0, 0, 0, 0.1, 0.1;
@@ -187,7 +191,8 @@ TEST(EdgeMollifier, LeavesNothingOfParallelEdges) {
     EXPECT_TRUE(squared_distance_hessian(closest, x).allFinite());
 }
 
-// The contact stiffness is physical only with the barrier's nominal slope.
+// Contact is as stiff as the materials only if the barrier has its nominal slope, that of a unit spring at
+// half its range.
 TEST(Barrier, PushesLikeAUnitSpringAtHalfItsRangeAndSmoothlyEndsThere) {
     const Barrier barrier{0.02};
     EXPECT_NEAR(barrier.slope(0.01), -0.01, 1e-16);
@@ -213,7 +218,7 @@ TEST(Barrier, PushesLikeAUnitSpringAtHalfItsRangeAndSmoothlyEndsThere) {
     EXPECT_EQ(barrier.value(-1), std::numeric_limits<double>::infinity());
 }
 
-// At its onset a second spring must neither jump nor add energy.
+// At its onset, a quarter of the range, a second spring must have neither a force nor an energy yet.
 TEST(Barrier, AFirmSpringIsStifferBelowItsShareOfTheRange) {
     const Barrier soft{0.02, true}, firm{0.02, true, {.degree = 1, .halvings = 2}};
     for (const double gap : {0.025, 0.015, 0.005}) {

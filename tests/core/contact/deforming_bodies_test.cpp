@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Free bodies on deforming obstacles, which have no inside and no springs: all contact forces on a body come
-// from their triangles, in implicit and explicit steps.
+// from the obstacles' triangles, in implicit and explicit steps.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,8 +14,8 @@
 namespace sherd::test {
 namespace {
 
-/// Plate 0.2 m wide that bulges: it rises by `height` m in `duration` s, at its rim by the share `rim` of
-/// that.
+/// Plate 0.2 m wide that bulges in `duration` s: its middle rises by `height` m, and its rims across x by
+/// `rim` times as much.
 Obstacle bulge(double height, double duration, double rim = 1) {
     std::vector<Positions> samples;
     for (int s = 0; s <= 40; ++s) {
@@ -29,7 +29,7 @@ Obstacle bulge(double height, double duration, double rim = 1) {
     return deforming(samples, strip_triangles(8), duration / 40);
 }
 
-/// Bodies and an obstacle, and a plate that is held far away.
+/// Bodies and an obstacle, with a plate that is held far away from them.
 struct Scene {
     Scene(const Obstacle& obstacle, const std::vector<RigidBody>& bodies, Scheme scheme) {
         shell.position.row(0).array() += 5;
@@ -43,8 +43,8 @@ struct Scene {
         stepper = make_stepper(shell, options);
     }
     void advance(double duration) { ASSERT_TRUE(advanced(duration)); }
-    /// Advances by steps that are halved where that may help, as far as possible. Returns the result of the
-    /// last part of a step.
+    /// Advances by `duration` s, in steps that are halved where they cannot be solved. Returns success, or
+    /// the result of the first step that failed for good.
     StepResult advanced(double duration) {
         double length = options.step;
         for (double time = 0; time < duration * (1 - 1e-9);) {
@@ -79,7 +79,7 @@ class DeformingBodies : public testing::TestWithParam<Scheme> {};
 INSTANTIATE_TEST_SUITE_P(Deforming, DeformingBodies,
                          testing::Values(Scheme::implicit_euler, Scheme::bdf2, Scheme::explicit_differences));
 
-// The work of the plate on the bodies must be in the balance, and in the end carry their weight.
+// The plate must carry the bodies up, and its work on them must be in the energy balance.
 TEST_P(DeformingBodies, APlateThatRisesCarriesABoxAndABall) {
     const double height = 0.02, duration = 0.06;
     Obstacle plate = bulge(height, duration);
@@ -107,7 +107,8 @@ TEST_P(DeformingBodies, APlateThatRisesCarriesABoxAndABall) {
     }
 }
 
-// Bodies meet the deformed shape: a box lies across the top of a bulge, where no corner of either is near.
+// Bodies must meet the deformed shape: a box lies across the top of a bulge, where neither a corner of the
+// box nor one of the bulge is near.
 TEST_P(DeformingBodies, ABoxLiesAcrossABulge) {
     Scene scene(bulge(0.01, 0.05, 0), {solid_body(Vector3d(0.12, 0.02, 0.01), Vector3d(0, 0, 0.006))},
                 GetParam());
@@ -131,7 +132,8 @@ TEST_P(DeformingBodies, ABeltTakesABoxAlong) {
     EXPECT_GT(balance.lost_to_scheme, -0.1 * kinetic) << "all else is the work of the belt";
 }
 
-// No fast body may pass it from either side.
+// No fast body may pass through a deforming obstacle, from either side; an explicit step in which it would
+// must fail.
 TEST(DeformingBodies, FastOnesDoNotPass) {
     for (const double from : {1.0, -1.0}) {
         RigidBody ball = round_body(0.0025, Vector3d(0.013, 0.008, 0.03 * from));
@@ -147,7 +149,7 @@ TEST(DeformingBodies, FastOnesDoNotPass) {
     EXPECT_EQ(scene.advanced(1e-4).outcome, Outcome::failed);
 }
 
-// A body that starts across it passes until it is off it.
+// A body that starts across a deforming obstacle must fall freely through it.
 TEST_P(DeformingBodies, WhatStartsAcrossPasses) {
     Scene scene(bulge(0.0001, 1), {solid_body(Vector3d(0.04, 0.03, 0.02), Vector3d(0, 0, 0.002))},
                 GetParam());

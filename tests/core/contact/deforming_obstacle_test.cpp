@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Obstacles with prescribed points, which have no inside and no springs: all contact forces on a sheet come
-// from their triangles.
+// from the obstacles' triangles.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -19,7 +19,7 @@
 namespace sherd::test {
 namespace {
 
-/// Strip that closes like a book about the y axis, from flat to a quarter turn of either half in 1 s.
+/// Strip along x that closes like a book about the y axis: each half turns from flat by 90 degrees in 1 s.
 Obstacle closing_book(double length, double width, int count) {
     std::vector<Positions> samples;
     for (int s = 0; s <= 40; ++s) {
@@ -45,7 +45,7 @@ StepperOptions against(const Obstacle& obstacle, double step, Scheme scheme = Sc
     return options;
 }
 
-/// Advances by `count` steps; fails unless each can be solved and leaves a gap.
+/// Advances by `count` steps; fails unless each step can be solved and leaves a gap.
 void advance(Shell& shell, Stepper& stepper, const StepperOptions& options, int count) {
     for (int i = 1; i <= count; ++i) {
         ASSERT_TRUE(stepper.begin()) << "step " << i;
@@ -55,15 +55,16 @@ void advance(Shell& shell, Stepper& stepper, const StepperOptions& options, int 
     }
 }
 
-// Coplanar triangles may bend later; without their edge a sheet would pass there.
+// Coplanar triangles of a deforming obstacle may bend later; without the edge between them a sheet would
+// pass there.
 TEST(DeformingObstacle, KeepsEdgesOfCoplanarTriangles) {
     const Positions points = strip_points(1, 1, 4);
     EXPECT_EQ(collider_surface(points, strip_triangles(4), true).edges.size(), 30u);
     EXPECT_EQ(collider_surface(points, strip_triangles(4)).edges.size(), 12u) << "the rim";
 }
 
-// Such an obstacle acts from half the thickness on, as other obstacles do with their springs; the surfaces of
-// those act only from a quarter.
+// A deforming obstacle must push from a gap of half the sheet's thickness on, where the springs of a rigid
+// obstacle begin. (The surface of a rigid obstacle pushes from a quarter of the thickness on.)
 TEST(DeformingObstacle, PushesFromHalfTheThicknessOn) {
     for (const double height : {0.49, 0.51}) {
         Shell shell = stacked_plates(1, 2, 0, firm_rubber);
@@ -89,9 +90,9 @@ TEST(DeformingObstacle, ForceAndStiffnessAreDerivativesOfTheValue) {
     expect_friction_along_x(shell, contact, moved);
 }
 
-// An obstacle whose points all move as a rigid wall's do must act like the wall, though the springs of the
-// latter are softer at first: a plate that is taken along must fly off equally fast. The motion is at an
-// angle, so that the wall also turns.
+// An obstacle whose points all move like those of a rigid wall must act like the wall, although the springs
+// of the wall are softer at first: a plate that is taken along must fly off equally fast. The wall also
+// turns while it moves.
 TEST(DeformingObstacle, ThatMovesRigidlyDoesWhatARigidOneDoes) {
     Vector3d velocity[2];
     for (const bool deforms : {false, true}) {
@@ -115,7 +116,8 @@ TEST(DeformingObstacle, ThatMovesRigidlyDoesWhatARigidOneDoes) {
     EXPECT_LT((velocity[1] - velocity[0]).norm(), 0.03 * velocity[0].norm());
 }
 
-// Two halves of a book close on a plate that lies across: they may bend it or push it out, but not cut it.
+// Two halves of a book close on a plate that lies across the fold: they may bend it or push it out, but not
+// cut it.
 TEST(DeformingObstacle, ThatClosesOnAPlateDoesNotPassThroughIt) {
     for (const Scheme scheme : {Scheme::implicit_euler, Scheme::explicit_differences}) {
         Shell shell = stacked_plates(1, 4, 0, firm_rubber);
@@ -156,7 +158,8 @@ TEST(DeformingObstacle, CarriesWhatLiesOnItByFriction) {
     }
 }
 
-// A belt that is stretched below a plate at rest pulls both of its halves outward, and the plate stays.
+// A belt that is stretched below a plate at rest must pull the plate's halves apart by friction, and the
+// plate must stay.
 TEST(DeformingObstacle, ThatIsStretchedPullsBothWays) {
     Shell shell = stacked_plates(1, 4, 0, firm_rubber);
     shell.position.row(2).array() += 0.499 * firm_rubber.thickness;

@@ -55,7 +55,7 @@ TEST(MovingPins, AreWhereTheMotionHasThemWithItsVelocity) {
     EXPECT_GT((shell.position.col(7) - shell.rest.col(7)).norm(), 0.02) << "nothing moved";
 }
 
-// For an observer at the same velocity, moving pins are at rest.
+// For an observer at the same velocity, moving pins are at rest: the sheet must move as with pins at rest.
 TEST(MovingPins, AtConstantVelocityDoWhatPinsAtRestDo) {
     const Vector3d velocity(3, -2, 1);
     Shell standing = test::stacked_plates(1, 6, 0, test::thin_rubber), flying = standing;
@@ -77,7 +77,8 @@ TEST(MovingPins, AtConstantVelocityDoWhatPinsAtRestDo) {
               1e-7);
 }
 
-// A clamp that turns takes the sheet's tangent along: in the end the strip leaves it at the same angle.
+// A clamp that turns must turn the sheet's tangent: in the end the whole sheet has moved rigidly with the
+// clamp.
 TEST(MovingPins, AClampThatTurnsTurnsTheSheet) {
     Material stiff = test::thin_rubber;
     stiff.young *= 1000;
@@ -100,7 +101,7 @@ TEST(MovingPins, AClampThatTurnsTurnsTheSheet) {
     EXPECT_LT(time_step.energies().bending, 1e-9);
 }
 
-// A plate that is carried into a free one must arrive, and throw the other ahead of it.
+// A plate that is carried into a free plate must arrive in time, and throw the free plate ahead.
 TEST(MovingPins, PushWhatIsInTheirWay) {
     Shell shell = test::stacked_plates(2, 3, 1.2e-3, test::thin_rubber);
     const Index half = static_cast<Index>(shell.rest.cols()) / 2;
@@ -120,7 +121,8 @@ TEST(MovingPins, PushWhatIsInTheirWay) {
         EXPECT_GT(test::smallest_distance(shell, shell.position), 0.75 * test::thin_rubber.thickness);
     }
     EXPECT_GT(shell.velocity.rightCols(half).row(2).mean(), 1);
-    // Too far at once: the step is refused, not solved with the pins half-way or through the other plate.
+    // In a long step the pins move too far: the step must be refused, not solved with the pins half-way or
+    // through the other plate.
     Shell near = test::stacked_plates(2, 3, 1.2e-3, test::thin_rubber);
     carry(near, lower, straight(Vector3d(0, 0, 0.1), 0.1));
     options.step = 5e-3;

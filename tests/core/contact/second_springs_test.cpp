@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A collision that is too strong for the springs of explicit contact must not pass, and the stiffer springs
-// that stop it must keep momentum and energy.
+// In a collision that is too strong for the springs of explicit contact, surfaces must not pass through each
+// other, and the stiffer springs that stop them must keep momentum and energy.
 #include <gtest/gtest.h>
 
 #include "core/time/explicit_stepper.h"
@@ -19,7 +19,7 @@ StepperOptions long_steps() {
     return options;
 }
 
-/// Makes steps; returns the shortest substep over the longest one.
+/// Makes `steps` steps. Returns the shortest substep over the longest one.
 double advance(ExplicitStepper& stepper, int steps) {
     double shortest = 1, longest = 0;
     for (int i = 0; i < steps; ++i) {
@@ -32,7 +32,8 @@ double advance(ExplicitStepper& stepper, int steps) {
     return shortest / longest;
 }
 
-// At three times the speed of sound in rubber a column of it stores a tenth of the collision's energy.
+// Plates collide at three times the speed of sound in rubber, where the springs, which are columns of
+// rubber, store only a tenth of the energy.
 TEST(SecondSprings, PlatesThatOverwhelmSpringsExchangeTheirVelocity) {
     Shell shell = stacked_plates(2, 4, 4e-3, rubber);
     const Index half = static_cast<Index>(shell.mass.size()) / 2;
@@ -50,7 +51,8 @@ TEST(SecondSprings, PlatesThatOverwhelmSpringsExchangeTheirVelocity) {
     EXPECT_LT(std::abs(stepper.balance().unexplained), 1e-10 * kinetic);
 }
 
-// A light box, which firm springs throw back faster than a vertex of the sheet.
+// A light and a heavy box. Firm springs throw the light one back faster than they would a vertex of the
+// sheet.
 TEST(SecondSprings, ABoxThatOverwhelmsSpringsIsThrownBack) {
     for (const double density : {10.0, 20000.0}) {
         Shell shell = stacked_plates(1, 4, 0, rubber);

@@ -20,7 +20,8 @@ StepperOptions with_contact(double step) {
     return options;
 }
 
-// 1 km/s, with a step in which the plate would end far behind the other one: it must be thrown back.
+// In one step at 1 km/s the upper plate would end far behind the lower one: it must not pass, but pass on
+// its momentum.
 TEST(SheetContact, APlateAtAKilometreASecondDoesNotPass) {
     Shell shell = test::stacked_plates(2, 4, 0.05, test::ceramic);
     const Index half = static_cast<Index>(shell.position.cols()) / 2;
@@ -39,7 +40,7 @@ TEST(SheetContact, APlateAtAKilometreASecondDoesNotPass) {
     EXPECT_LT((linear_momentum(shell) - momentum).norm(), 1e-8 * momentum.norm());
 }
 
-// A closing sheet meets itself, and must fold no flatter than its thickness.
+// A sheet that closes on itself must not intersect itself.
 TEST(SheetContact, AFoldingSheetDoesNotPassThroughItself) {
     Shell shell = test::stacked_plates(1, 12, 0, test::thin_rubber);
     for (Index v = 0; v < shell.position.cols(); ++v) {
@@ -59,7 +60,8 @@ TEST(SheetContact, AFoldingSheetDoesNotPassThroughItself) {
     EXPECT_GT(most, 20u);
 }
 
-// A stack must come to rest and stay there, and each contact carry the weight above it, to 1 %.
+// A stack must come to rest and stay there, and its lowest plate must carry, to 1 %, the weight of all
+// others.
 TEST(SheetContact, AStackRestsOnItself) {
     const int plates = 4;
     Shell shell = test::stacked_plates(plates, 4, 1.02 * test::ceramic.thickness, test::ceramic);
@@ -67,7 +69,7 @@ TEST(SheetContact, AStackRestsOnItself) {
     std::fill_n(shell.fixed.begin(), each, 1);
     StepperOptions options = with_contact(2e-4);
     options.contact.friction = 0.3;
-    options.tolerance = 2e-10;  // a hundredth of the plates' overlap
+    options.tolerance = 2e-10;  // m, a hundredth of the plates' overlap
     ImplicitStepper time_step(shell, options);
     for (int i = 0; i < 150; ++i) test::advance(time_step);
     const Positions before = shell.position;
@@ -79,7 +81,7 @@ TEST(SheetContact, AStackRestsOnItself) {
     EXPECT_NEAR(forces.leftCols(each).row(2).sum(), weight, 0.01 * weight);
 }
 
-/// Cuts the triangle off its sheet: it gets copies of its corners at the same places.
+/// Cuts the triangle off its sheet: the triangle gets copies of its corners at the same places.
 void cut_off(Shell& shell, std::size_t triangle, ImplicitStepper& time_step) {
     ShellChange change;
     for (Index& corner : shell.triangles[triangle].vertices) {
@@ -95,12 +97,12 @@ void cut_off(Shell& shell, std::size_t triangle, ImplicitStepper& time_step) {
     time_step.topology_changed(change);
 }
 
-// A crack opens in the middle of a step, in contact: coincident crack faces must neither push nor stop the
-// step, and all else must continue as before.
+// When a crack opens in the middle of a step, during contact, its coincident crack faces must neither push
+// each other nor stop the step, and all else must continue as before.
 TEST(SheetContact, ACrackInTheMiddleOfAStepIsBorne) {
     Shell shell = test::stacked_plates(2, 4, 1.1 * test::ceramic.thickness, test::ceramic);
     const Index half = static_cast<Index>(shell.position.cols()) / 2;
-    shell.hinges.clear();  // otherwise they would have to be cut, too
+    shell.hinges.clear();  // hinges would have to be cut, too
     shell.hinge_edge.clear();
     std::ranges::fill(shell.edge_hinge, -1);
     shell.velocity.rightCols(half).row(2).setConstant(-3);

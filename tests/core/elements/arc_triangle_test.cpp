@@ -14,7 +14,7 @@ namespace {
 
 using ArcUnknowns = Eigen::Matrix<double, 12, 1>;
 
-/// A triangle of a sheet with two material axes, with arcs that are bent at the start.
+/// A random triangle of an orthotropic sheet whose sides are curved in the shape without energy.
 ArcTriangle random_arcs(test::Random& random) {
     const TrianglePositions rest = random.matrix<TrianglePositions>(1);
     const Matrix3d elasticity = membrane_elasticity({1000, 0.01, 3e5, 0.3, 4e4, 2e4}, 0.4);
@@ -55,7 +55,8 @@ TEST(ArcTriangle, DerivativesAreThoseOfTheValue) {
     }
 }
 
-// Without curvature the triangle must be the constant-strain one, with which everything else was verified.
+// Without curvature the triangle must equal the constant-strain triangle, with which everything else was
+// verified.
 TEST(ArcTriangle, WithoutCurvatureIsTheConstantStrainTriangle) {
     test::Random random(2);
     const Vector3d none = Vector3d::Zero();
@@ -96,7 +97,8 @@ TEST(ArcTriangle, ConvexHessianIsSemidefiniteAndExactAtTheStart) {
     EXPECT_LT((exact - hessian(triangle, rest, curvature, true)).norm(), 1e-12 * exact.norm());
 }
 
-// Corners on a circle: their arcs are as long as the sides of the flat sheet, and must hardly be strained.
+// When a triangle is rolled onto a cylinder, its arcs are as long as the sides of the flat triangle: they
+// must hardly be strained, while the chords are.
 TEST(ArcTriangle, RolledTriangleHasAlmostNoStrain) {
     constexpr double radius = 2;
     TrianglePositions rest, x;

@@ -18,7 +18,7 @@ TrianglePositions triangle_anywhere(test::Random& random) {
     return x.colwise() + random.matrix<Vector3d>(3);
 }
 
-/// Height at p of the quadratic surface of curvature (00, 11, 2 * 01).
+/// Height at p of the quadratic surface whose curvature has the components (00, 11, 2 * 01).
 double height(const Vector3d& curvature, const Vector2d& p) {
     return 0.5 * (curvature[0] * p.x() * p.x() + curvature[1] * p.y() * p.y() + curvature[2] * p.x() * p.y());
 }
@@ -29,7 +29,8 @@ Vector2d slope(const Vector3d& curvature, const Vector2d& p) {
             curvature[1] * p.y() + 0.5 * curvature[2] * p.x()};
 }
 
-// The angle by the formula must be that between the facet through three points of a surface and its tangent.
+// A wrong angle would bend faces wrongly: tangent_angle() must give the angle, at the middle of a side, from
+// the facet through three points of a quadratic surface to the surface's tangent plane.
 TEST(MidEdge, TangentAngleIsThatOfAQuadraticSurface) {
     test::Random random(1);
     for (int i = 0; i < 200; ++i) {
@@ -53,7 +54,8 @@ TEST(MidEdge, TangentAngleIsThatOfAQuadraticSurface) {
     }
 }
 
-// Constant curvature is exact only if the angles of a curvature give it back.
+// A sheet of constant curvature has it in all faces only if the angles that a curvature makes at the sides
+// give the same curvature back.
 TEST(MidEdge, AnglesAtTheSidesGiveTheCurvatureBack) {
     test::Random random(2);
     for (int i = 0; i < 200; ++i) {
@@ -66,7 +68,8 @@ TEST(MidEdge, AnglesAtTheSidesGiveTheCurvatureBack) {
     }
 }
 
-// A frame of the wrong hand, or turned the wrong way, would turn the axes of the membrane and the plate.
+// In a left-handed frame, or one that is turned the wrong way, the axes of membrane and plate would be
+// turned.
 TEST(MidEdge, TriangleIsLaidIntoTheFrameOfItsMembrane) {
     test::Random random(3);
     for (int i = 0; i < 50; ++i) {

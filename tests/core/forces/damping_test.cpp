@@ -14,7 +14,8 @@
 namespace sherd {
 namespace {
 
-/// Modes of a sheet at rest: (K, M) eigenvectors, normalized to u^T M u = 1, slowest first.
+/// Vibration modes of a sheet at rest: eigenvectors u of stiffness K and mass M with u^T M u = 1, slowest
+/// first.
 Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(const Shell& shell, BendingModel model) {
     const std::unique_ptr<Energy> bending = bending_energy(shell, {model, exact_jacobian(model)});
     const MembraneEnergy membrane(shell.triangles);
@@ -29,7 +30,8 @@ Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(const Shell& she
                                                                      Eigen::MatrixXd(mass.asDiagonal()));
 }
 
-// Each mode must decay as implicit Euler's difference equation says:
+// Each mode, of angular frequency w, must decay as implicit Euler's difference equation says, with the step
+// h and the coefficients a of mass and b of stiffness:
 //     (1 + h a + h b w^2 + h^2 w^2) q_{n+1} = (2 + h a + h b w^2) q_n - q_{n-1}.
 class DampingOf : public testing::TestWithParam<BendingModel> {};
 INSTANTIATE_TEST_SUITE_P(Models, DampingOf, testing::Values(BendingModel::cubic, BendingModel::coupled));
@@ -64,7 +66,7 @@ TEST_P(DampingOf, EveryModeDecaysAtTheRateOfTheTwoCoefficients) {
     }
 }
 
-// With wrong derivatives Newton's method would not converge, or to another solution.
+// With wrong derivatives Newton's method would not converge, or would find another solution.
 TEST(Damping, GradientAndHessianAreDerivatives) {
     Shell shell = test::tetrahedron(test::thick_foam);
     test::Random random(1);
@@ -81,7 +83,7 @@ TEST(Damping, GradientAndHessianAreDerivatives) {
     test::expect_derivatives(test::begun(MassDamping(shell, 3), shell, 0, 1e-3), x, 1e-4, 1e-7);
 }
 
-// A viscous force must not push nor turn a sheet as a whole, however it is deformed.
+// A viscous force must neither push nor turn a sheet as a whole, however the sheet is deformed.
 TEST(Damping, StiffnessDampingHasNoNetForceNorTorque) {
     Shell shell = test::tetrahedron(test::thick_foam);
     test::Random random(2);
@@ -102,8 +104,8 @@ TEST(Damping, StiffnessDampingHasNoNetForceNorTorque) {
     EXPECT_LT(damping.value(turned), 1e-10 * damping.value(x));
 }
 
-// A sheet that spins and vibrates with damping: linear momentum is conserved, and vibration decays while
-// rotation continues.
+// In a sheet that spins and vibrates with damping, the vibration must decay while linear momentum and
+// rotation are kept.
 TEST(Damping, StiffnessDampingKeepsLinearMomentumAndRotation) {
     Shell shell = test::tetrahedron(test::thick_foam);
     const Vector3d spin(1, 2, -1);
@@ -121,7 +123,7 @@ TEST(Damping, StiffnessDampingKeepsLinearMomentumAndRotation) {
     EXPECT_LT((angular_momentum(shell) - angular).norm(), 2e-3 * angular.norm());
 }
 
-// Mass damping slows a free flight at its rate: (1 + h a) v_{n+1} = v_n.
+// Mass damping by the coefficient a must slow a free flight by (1 + h a) v_{n+1} = v_n in steps of h.
 TEST(Damping, MassDampingSlowsFreeFlight) {
     Shell shell = test::two_triangles(test::thick_foam);
     shell.velocity.colwise() = Vector3d(1, 2, 3);

@@ -11,7 +11,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// Moments on the two sides of a bent pair of triangles, at positions that are not those at rest.
+/// Moments on two sides of a pair of triangles, at random positions.
 struct Moments {
     Shell shell = test::two_triangles(Material{});
     Load load;
@@ -22,7 +22,7 @@ struct Moments {
     }
 };
 
-// With wrong derivatives Newton's method would not converge, or to a wrong shape.
+// With wrong derivatives Newton's method would not converge, or would find a wrong shape.
 TEST(EdgeMoment, GradientAndHessianAreDerivatives) {
     Moments moments;
     LoadEnergy energy(moments.shell, {moments.load});
@@ -33,7 +33,8 @@ TEST(EdgeMoment, GradientAndHessianAreDerivatives) {
     test::expect_derivatives(energy, x, 1e-4, 1e-7);
 }
 
-// A couple has no force, and its moment about the side must be the given one, at any angle.
+// The forces of a moment must have no sum, and their couple about the side must be the given one, at any
+// angle.
 TEST(EdgeMoment, IsACoupleOfItsSizeAboutItsSide) {
     Shell shell = test::two_triangles(Material{});
     const TriangleEdge side{0, 1};

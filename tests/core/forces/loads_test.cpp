@@ -33,7 +33,7 @@ Positions crumpled(const Shell& shell, unsigned seed) {
     return x;
 }
 
-/// Energy of loads in a step that ends at `end` (s).
+/// Energy of loads in a step of 1 s that ends at `end` (s).
 LoadEnergy loaded(const Shell& shell, const std::vector<Load>& loads, double end) {
     return test::begun(LoadEnergy(shell, loads), shell, end - 1, 1);
 }
@@ -44,7 +44,7 @@ Positions forces(const Energy& energy, const Positions& x) {
     return -gradient;
 }
 
-// With wrong derivatives Newton's method would not converge, or to a wrong shape.
+// With wrong derivatives Newton's method would not converge, or would find a wrong shape.
 TEST(Loads, GradientAndHessianAreDerivatives) {
     for (const Shell& shell : {test::tetrahedron(test::thick_foam), test::two_triangles(test::thick_foam)}) {
         Load load = pressure_on_all(shell, 30);
@@ -69,7 +69,8 @@ TEST(Loads, PressureInAClosedSheetHasNoNetForceAndFollowsItsNormals) {
     EXPECT_LT(force.rowwise().sum().norm(), 1e-13 * force.norm());
 }
 
-// At the free rim the force is the exact one of the beginning of the step.
+// At the free rim of an open sheet, the force of a pressure must be exact at the positions at the beginning
+// of the step.
 TEST(Loads, PressureOnAnOpenSheetIsExactAtTheBeginningOfTheStep) {
     Shell shell = test::two_triangles(test::thick_foam);
     shell.position = crumpled(shell, 3);
@@ -82,7 +83,8 @@ TEST(Loads, PressureOnAnOpenSheetIsExactAtTheBeginningOfTheStep) {
     EXPECT_LT((force.rowwise().sum() - 5 * area).norm(), 1e-12 * force.norm());
 }
 
-// Loads on a length, an area and a vertex: the totals must agree with their units.
+// Loads per length, per area and on a vertex: the total must be the given force times the length, the area
+// or the number of vertices.
 TEST(Loads, DeadLoadsAddUpToForceTimesExtent) {
     const Shell shell = test::two_triangles(test::thick_foam);
     const auto total = [&](const std::vector<CornerForce>& dead, const std::vector<FaceForce>& spread = {}) {
@@ -100,11 +102,12 @@ TEST(Loads, DeadLoadsAddUpToForceTimesExtent) {
     ASSERT_EQ(sides.size(), 1u);
     const double length = (shell.rest.col(0) - shell.rest.col(2)).norm();
     EXPECT_LT((total(line_forces(shell, sides, f)) - length * f).norm(), 1e-13);
-    // The diagonal is not a boundary: 0, 1 alone select no side.
+    // Vertices 0 and 1 select no side: the diagonal between them is no boundary.
     EXPECT_TRUE(boundary_triangle_edges(shell, std::vector<char>{1, 1, 0, 0}).empty());
 }
 
-// The momentum that a free sheet gains is the impulse of the ramp by the quadrature of implicit Euler.
+// The momentum that a free sheet gains must be the impulse of the load by implicit Euler: the sum of the
+// forces at the ends of the steps, times their length.
 TEST(Loads, RampGrowsLinearlyAndThenStays) {
     Shell shell = test::two_triangles(test::thick_foam);
     StepperOptions options;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Forces of the air. Each test is a statement of aerodynamics on which a flag in the wind depends.
+// Forces of the air. Each test is a statement of aerodynamics that must hold for a flag in the wind.
 #include "core/forces/wind.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ Wind wind_on(const Shell& shell, const Vector3d& velocity) {
     return wind;
 }
 
-/// Forces of the air on a sheet that keeps its velocity, N.
+/// Forces of the air, N, on a sheet that keeps its velocity.
 Positions forces(const Shell& shell, const Wind& wind, double step = 1e-3) {
     Positions gradient = Positions::Zero(3, shell.position.cols());
     test::begun(WindEnergy(shell, {wind}), shell, 1 - step, step)
@@ -39,7 +39,7 @@ Positions forces(const Shell& shell, const Wind& wind, double step = 1e-3) {
     return -gradient;
 }
 
-/// Total force on a flat sheet in the plane z = 0, N.
+/// Total force, N, on a flat sheet in the plane z = 0.
 Vector3d total_force(const Vector3d& velocity, const Vector3d& air = Vector3d::Zero()) {
     Shell shell = test::two_triangles(card);
     shell.velocity.colwise() = velocity;
@@ -54,7 +54,7 @@ Shell moving_anyhow() {
     return shell;
 }
 
-// Otherwise Newton's method would not converge, or take steps uphill.
+// With wrong derivatives Newton's method would not converge, or would take steps uphill.
 TEST(Wind, GradientAndHessianAreDerivativesOfAConvexEnergy) {
     const Shell shell = moving_anyhow();
     const WindEnergy energy =

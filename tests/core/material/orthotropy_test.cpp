@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Otherwise a woven or rolled sheet is stiff in wrong directions, or an isotropic one has directions at all.
+// With wrong stiffnesses, a woven or rolled sheet would be stiff in wrong directions, or an isotropic one
+// would be stiffer in some directions than in others.
 #include "core/material/orthotropy.h"
 
 #include <gtest/gtest.h>
@@ -44,8 +45,8 @@ TEST(Orthotropy, HingesHaveAThirdOfItUnlessAskedForAllAsInThePaper) {
                      edge_stiffness(elastic_constants(material), material.thickness, 0.4));
 }
 
-// Rigidity of a sheet that is bent to a cylinder: n^T C n of the plane-stress tensor on the curvature across
-// the edge, computed with a full tensor. It ties the hinge to the membrane's constants.
+// The hinge must have the elastic constants of the membrane. Reference: the rigidity of a sheet that is bent
+// to a cylinder, k^T C k, with the full plane-stress tensor C and the unit curvature k across the edge.
 TEST(Orthotropy, StiffnessIsThatOfTheTensorOnTheCurvatureAcrossTheEdge) {
     Random random(1);
     for (int i = 0; i < 200; ++i) {
@@ -60,8 +61,8 @@ TEST(Orthotropy, StiffnessIsThatOfTheTensorOnTheCurvatureAcrossTheEdge) {
     }
 }
 
-// Eq. 8 gives the stiffness of bending along a direction, that is across an edge; its shear term counts k01
-// and k10 apart, and so has the factor 4 where both are one number.
+// Eq. 8 of the paper gives the stiffness of bending along a direction, which is across an edge. Its shear
+// term counts the twists k01 and k10 separately; here they are one number, hence the factor 4.
 TEST(Orthotropy, StiffnessFollowsEquationEightWithoutPoissonEffect) {
     const double thickness = 0.012, h = std::pow(thickness, 3) / 12;
     const Orthotropy m{1e10, 8e8, 0, 7e8};
@@ -113,7 +114,7 @@ TEST(Orthotropy, AdmissibleConstantsArePositiveDefinite) {
     }
 }
 
-// Young's modulus at an angle to the axes, by the textbook compliance formula of composites.
+// Young's modulus at an angle to the axes must follow the textbook compliance formula of composites.
 TEST(Orthotropy, UniaxialModuliFollowTheComplianceFormula) {
     const double nu01 = wood.young01 / wood.young1;
     for (int degrees = 0; degrees <= 180; degrees += 15) {
@@ -161,7 +162,7 @@ TEST(Orthotropy, PerpendicularAxesOfAHingeLeaveTheFirst) {
 }
 
 TEST(Material, StretchOverBendIsThatOfTheFormula) {
-    // Y t L^2 / (D / 3) = 36 (1 - nu^2) (L / t)^2
+    // Y t L^2 / (D / 3) = 36 (1 - nu^2) (L / t)^2, with the edge length L, thickness t and rigidity D
     const Material glass{2500, 0.004, 7e10, 0.2};
     EXPECT_NEAR(stretch_over_bend(glass, 0.02), 36 * 0.96 * 25, 1e-10);
     Material ply = glass;

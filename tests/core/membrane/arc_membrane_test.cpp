@@ -72,7 +72,7 @@ TEST(ArcMembrane, ConvexHessianIsSemidefiniteAndExactAtRest) {
               1e-9 * exact.norm());
 }
 
-// In its plane a flat sheet has straight sides: both membranes must agree there.
+// For motions in its plane the sides of a flat sheet stay straight: both membrane models must agree.
 TEST(ArcMembrane, FlatSheetInItsPlaneIsThatOfConstantStrain) {
     const Shell shell = test::flat_patch();
     const ArcMembrane arcs(shell, {});
@@ -113,11 +113,12 @@ TEST(ArcMembrane, CylinderUnrollsWithHardlyAnyStrain) {
     }
 }
 
-// A crease at rest is no curvature: arcs around it would resist its turning like a stretch.
+// A crease in the rest shape must not count as curvature: arcs beside it would resist its turning as if they
+// were stretched.
 TEST(ArcMembrane, CreaseTurnsFreely) {
     const auto folded = [](double angle) {
         return test::uneven_patch([=](double x, double y) {
-            const double beyond = std::abs(x - 0.6) < 0.06 ? 0 : x - 0.6;  // a column of vertices is on it
+            const double beyond = std::abs(x - 0.6) < 0.06 ? 0 : x - 0.6;  // some vertices are on the crease
             const Vector2d way = beyond < 0 ? Vector2d(1, 0) : Vector2d(std::cos(angle), std::sin(angle));
             return Vector3d(0.6 + beyond * way.x(), y, beyond * way.y());
         });
@@ -128,7 +129,7 @@ TEST(ArcMembrane, CreaseTurnsFreely) {
     EXPECT_LT(membrane.value(turned.rest), 1e-6 * stretched);
 }
 
-// Damping measures from a shape other than rest.
+// Damping measures strains from another shape than the rest shape.
 TEST(ArcMembrane, StartsFromAnyShape) {
     const Shell shell = test::curved_patch();
     ArcMembrane membrane(shell, {});
@@ -141,10 +142,11 @@ TEST(ArcMembrane, StartsFromAnyShape) {
     test::expect_derivatives(membrane, x, 1e-5, 1e-7);
 }
 
-// `sherd check` warns of h^2 / (R t) of a rolled sheet.
+// `sherd check` warns of a rolled sheet by the number h^2 / (R t), with the edge length h, the radius R and
+// the thickness t.
 TEST(ArcMembrane, LockingIsToldFromRadiusAndEdges) {
     const Shell shell = test::uneven_patch([](double s, double y) { return on_cylinder(s, y, 2); });
-    double longest = 0;  // around the cylinder, where all its curvature is along the edge
+    double longest = 0;  // m, longest extent of a side around the cylinder, along which the side is curved
     for (const TriangleStencil& triangle : shell.triangles) {
         const auto sides = columns(shell.rest, triangle.vertices);
         for (int side = 0; side < 3; ++side)
@@ -155,7 +157,7 @@ TEST(ArcMembrane, LockingIsToldFromRadiusAndEdges) {
     EXPECT_LT(locking(test::flat_patch()).maxCoeff(), 1e-12);
 }
 
-// Sheets that cannot lock by this bound are not examined any further.
+// `sherd check` examines sheets no further that cannot lock by this bound on the curvature along a side.
 TEST(ArcMembrane, NoSideIsMoreCurvedThanFoldsAllow) {
     const Shell shell = test::curved_patch();
     const Folds folds(shell, {});
@@ -171,8 +173,7 @@ TEST(ArcMembrane, NoSideIsMoreCurvedThanFoldsAllow) {
     }
 }
 
-// Otherwise fields, gauges and fracture would use other strains than the energy, and take bending for
-// stretch.
+// With other strains than those of the energy, fields, gauges and fracture would take bending for stretch.
 TEST(ArcMembrane, StrainsOfFacesAreThoseOfItsEnergy) {
     const Shell shell = test::curved_patch();
     const Positions x = test::shaken(shell, 0.05, 4);

@@ -22,7 +22,7 @@ MembraneTriangle random_triangle(Random& random) {
 
 const Material cloth{1000, 0.01, 3e5, 0.3, 4e4, 2e4};
 
-/// axis: direction in the plane of the triangle.
+/// Triangle of cloth whose first material axis is `axis`, a direction in the triangle's plane.
 MembraneTriangle cloth_triangle(const TrianglePositions& rest, const Vector3d& axis) {
     return membrane_triangle(rest, membrane_elasticity(cloth, axis_angle(rest, axis)));
 }
@@ -99,7 +99,7 @@ TEST(Membrane, UniaxialStressFollowsYoungAndPoisson) {
     EXPECT_NEAR(value(triangle, x), expected, 1e-5 * expected);
 }
 
-// The axis belongs to the sheet, whichever corner a file names first.
+// The material axis belongs to the sheet: which corner a file names first must not matter.
 TEST(Membrane, OrthotropicEnergyDoesNotDependOnTheOrderOfTheCornersOrThePlace) {
     Random random(6);
     for (int i = 0; i < 100; ++i) {
@@ -118,7 +118,8 @@ TEST(Membrane, OrthotropicEnergyDoesNotDependOnTheOrderOfTheCornersOrThePlace) {
     }
 }
 
-// Stretched along an axis and free to contract, cloth has that axis's modulus: 7.5 times less across.
+// Stretched along an axis and free to contract, cloth must have the modulus of that axis: 7.5 times less
+// along the second axis than along the first.
 TEST(Membrane, UniaxialStressFollowsTheModulusOfItsDirection) {
     TrianglePositions rest;
     rest << 0, 1, 0, 0, 0, 1, 0, 0, 0;

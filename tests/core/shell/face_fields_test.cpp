@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Otherwise stress and curvature are recorded with a wrong sign, on the wrong surface or in the wrong
-// direction.
+// With wrong face fields, stress and curvature would be recorded with a wrong sign, on the wrong surface or
+// in the wrong direction.
 #include "core/shell/face_fields.h"
 
 #include <gtest/gtest.h>
@@ -16,10 +16,10 @@ namespace {
 
 constexpr double field_thickness = 0.01, field_young = 2e9, field_poisson = 0.3;
 const Material field_material{1000, field_thickness, field_young, field_poisson};
-constexpr int field_rows = 7, field_columns = 9;  // vertices
+constexpr int field_rows = 7, field_columns = 9;  // numbers of vertices along y and x
 
-/// Flat rectangle of 1.6 by 1.2 with unequal triangles, whose normals are z; each face's material is turned
-/// by `angle` (rad) against x.
+/// Flat rectangle of 1.6 m by 1.2 m with unequal triangles, whose normals are z; each face's material axis
+/// is turned by `angle` (rad) against x.
 Shell field_sheet(const Material& material, double angle = 0) {
     Positions rest(3, field_columns * field_rows);
     std::vector<std::array<Index, 3>> triangles;
@@ -47,7 +47,7 @@ FaceFields fields_of(const Shell& shell, const Positions& x, BendingModel model)
     return face_fields(shell, energies.face_strains(x), energies.face_curvatures(x), {true, true, true});
 }
 
-/// Tensor of a face (00, 11, 01) in x and y.
+/// Components (00, 11, 01) in the axes x and y of a tensor that is given in the frame of a face.
 Vector3d in_x_and_y(const Shell& shell, Index face, const Vector3d& tensor) {
     const auto axes = frame_axes(columns(shell.rest, shell.triangles[face].vertices));
     Eigen::Matrix2d local;
@@ -56,7 +56,7 @@ Vector3d in_x_and_y(const Shell& shell, Index face, const Vector3d& tensor) {
     return {full(0, 0), full(1, 1), full(0, 1)};
 }
 
-/// Faces all of whose vertices are inside, so that no free edge is near.
+/// Faces without a vertex on the rim, so that no free edge is near.
 std::vector<Index> inner_faces(const Shell& shell) {
     std::vector<Index> faces;
     for (Index f = 0; f < static_cast<Index>(shell.triangles.size()); ++f)
@@ -131,7 +131,8 @@ TEST(FaceFields, StressFollowsTheMaterialsAxes) {
         EXPECT_LT((in_x_and_y(shell, f, fields.stress_top.col(f)) - stress).norm(), 1e-9 * stress.norm());
 }
 
-// A single hinge gives its faces twice its change of angle over the distance of their centres.
+// A single hinge must give both faces the curvature of twice its change of angle over the sum of their
+// heights.
 TEST(FaceFields, SingleHingeBendsBothFacesAlikeAcrossItsEdge) {
     const Shell shell = test::two_triangles(field_material);
     Positions x = shell.rest;
@@ -145,7 +146,7 @@ TEST(FaceFields, SingleHingeBendsBothFacesAlikeAcrossItsEdge) {
     }
 }
 
-// A clamp bends its face by half of the angle to the mirror image.
+// A clamp bends its face by half of the angle between the face and its mirror image.
 TEST(FaceFields, SingleHingesKnowOfClamps) {
     const Shell shell = test::two_triangles(field_material);
     const ShellEnergies energies(shell, {.bending = {BendingModel::cubic, BendingJacobian::cubic},
@@ -184,7 +185,7 @@ TEST(PrincipalValues, AreThoseOfTheTensorLargerOneFirst) {
     }
 }
 
-// The colour of a picture and the value in `sherd info` are the most tensile stress on either side.
+// The colour of a picture and the value in `sherd info` are the most tensile stress of both surfaces.
 TEST(FaceFields, LargestStressIsTheMostTensileOfBothSurfaces) {
     FaceFields fields;
     fields.stress_top.resize(3, 2);

@@ -10,7 +10,7 @@
 namespace sherd {
 namespace {
 
-// Otherwise momentum would be shared by pieces that do not touch.
+// With wrong pieces, momentum would be shared by pieces that do not touch.
 TEST(Pieces, AreWhatFacesAndLinksConnect) {
     const Shell shell = test::stacked_plates(3, 2, 0.1, test::ceramic);
     const auto each = static_cast<Index>(shell.mass.size()) / 3;

@@ -8,10 +8,11 @@
 namespace sherd {
 namespace {
 
-// With wrong derivatives Newton's method would not converge, or to a wrong shape.
+// With wrong derivatives Newton's method would not converge, or would find a wrong shape.
 TEST(MirrorHinge, GradientAndHessianAreDerivatives) {
     const Shell shell = test::tetrahedron(test::thick_foam);
-    // A plane through vertices 0 and 1 that is oblique to the triangle between them: curved at rest.
+    // The symmetry plane through vertices 0 and 1 is oblique to the triangle, so that the sheet is folded
+    // there at rest.
     const Vector3d along = (shell.rest.col(1) - shell.rest.col(0)).normalized();
     const Vector3d normal = along.cross(Vector3d(0.3, 0.5, -0.4)).normalized();
     const std::vector<MirrorHinge> hinges{symmetry_hinge(shell, {0, 1}, normal, 2),
@@ -57,7 +58,7 @@ TEST(SymmetryPlane, HalfASheetMovesLikeTheWhole) {
     EXPECT_GT(std::abs(half.position(2, 2)), 0.01) << "nothing moved: the test proves nothing";
 }
 
-// With pins alone a sheet that is held along one side would swing freely about it.
+// With pins alone a sheet that is held along one side would swing freely about this side.
 TEST(Clamp, HoldsTheTangent) {
     for (const bool clamped : {false, true}) {
         Positions rest(3, 3);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Otherwise a sheet of uneven thickness has wrong stiffness or contact at a place, or one of even thickness
-// no longer gives the same bits.
+// With a wrong local thickness, a sheet of uneven thickness would have wrong stiffness or contact in places,
+// or a sheet of even thickness would no longer give the same bits.
 #include "core/shell/thickness.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@
 namespace sherd {
 namespace {
 
-/// Plates of 0.1 m; the thickness of each vertex is `thickness` of its place at rest.
+/// Plates of 0.1 m; thickness() gives the thickness, m, of each vertex from its place at rest.
 template <class Thickness>
 Shell uneven_plates(int plates, int count, const Thickness& thickness) {
     Shell shell = test::stacked_plates(plates, count, 0, test::ceramic);
@@ -98,12 +98,12 @@ TEST(Thickness, SheetsTouchAtHalfTheSumOfWhatTheyAreThere) {
     Shell shell = uneven_plates(2, 12, taper);
     const auto upper = static_cast<Index>(shell.rest.cols()) / 2;
     const auto stacked = [&](double gap) {
-        Positions x = shell.rest;  // middle surfaces: the lower sheet's top at z = 0
+        Positions x = shell.rest;  // positions of the middle surfaces; the top of the lower sheet is z = 0
         for (Index v = 0; v < static_cast<Index>(x.cols()); ++v)
             x(2, v) = v < upper ? -0.5 * taper(x.col(v)) : 0.5 * shell.thickness[v] + gap;
         return x;
     };
-    const double within_an_element = 0.02 * 0.1 / 12;  // the difference of thickness
+    const double within_an_element = 0.02 * 0.1 / 12;  // m, difference of the thickness across an element
     const SheetContact contact(shell);
     EXPECT_TRUE(contact.active_pairs(stacked(within_an_element)).empty());
     const std::vector<ContactPair> active = contact.active_pairs(stacked(-2 * within_an_element));

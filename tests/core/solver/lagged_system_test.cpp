@@ -22,7 +22,7 @@ struct ContactInTheMiddle {
     Positions apart = shell.position, touching = shell.position;
     Index middle = 3 * static_cast<Index>(shell.position.cols()) / 4;
 
-    /// step: s; with a short one, inertia keeps the Hessian positive definite.
+    /// step: s; in a short step, inertia keeps the Hessian positive definite.
     explicit ContactInTheMiddle(double step) {
         potential.begin(test::step_of(shell, 0, step));
         touching(2, middle) -= 2.1 * test::rubber.thickness;
@@ -34,7 +34,8 @@ struct ContactInTheMiddle {
     }
 };
 
-// A patch that fits only one of the two positions would lead to the other one and back, in each iteration.
+// With a patch that fits only one of the two positions, iterations would lead to the other one and back
+// without end.
 TEST(LaggedSystem, FitsBothPlacesOfAContactThatComesAndGoes) {
     const ContactInTheMiddle at(1e-3);
     ASSERT_GT(at.contact.active_pairs(at.touching).size(), 0u);
@@ -45,7 +46,7 @@ TEST(LaggedSystem, FitsBothPlacesOfAContactThatComesAndGoes) {
     for (int round = 0; round < 4; ++round)
         for (const Positions* x : {&at.touching, &at.apart})
             changes += system.fit(at.potential, *x) == LaggedSystem::Fit::patched;
-    EXPECT_GT(changes, 2);  // not at once: a contact that appears or vanishes once is patched by itself
+    EXPECT_GT(changes, 2);  // not after one change: a contact that changes once gets a patch of its own
     EXPECT_LT(changes, 8);
     for (const Positions* x : {&at.touching, &at.apart, &at.touching, &at.apart})
         EXPECT_EQ(system.fit(at.potential, *x), LaggedSystem::Fit::fits);

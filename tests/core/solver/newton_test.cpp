@@ -15,7 +15,7 @@ namespace sherd {
 namespace {
 
 constexpr Index along = 30, row = 3;
-constexpr double side = 0.01;  // m, of the squares
+constexpr double side = 0.01;  // m, side of the squares
 
 /// Strip of rubber along x, held at both ends.
 Shell strip() {
@@ -35,15 +35,16 @@ Shell strip() {
     return shell;
 }
 
-/// Shortens the strip by `strain`, beyond its buckling load, and bows it by a micrometre.
+/// Shortens the strip by `strain`, beyond its buckling load, and makes it bow by a micrometre.
 void press(Shell& shell, double strain) {
     shell.position.row(0) *= 1 - strain;
     for (Index v = 0; v < static_cast<Index>(shell.position.cols()); ++v)
         shell.position(2, v) = 1e-6 * std::sin(std::numbers::pi * shell.rest(0, v) / (along * side));
 }
 
-// A buckling sheet has an indefinite Hessian, and a convex one without all compression is so stiff that
-// Newton's method converges slowly: crushed thin shells could not be solved in 50 iterations (here: 160).
+// A buckling sheet has an indefinite Hessian, and the convex Hessian without any compression is so stiff
+// that Newton's method converges slowly: crushed thin shells could not be solved in 50 iterations (this
+// strip took 160).
 TEST(Newton, BucklesInFewIterations) {
     Shell shell = strip();
     press(shell, 1e-4);

@@ -27,8 +27,8 @@ Outcome after(int steps, Shell shell, StepperOptions options, Method method) {
     return {shell.position, stepper.time_spent().times(Task::factorization)};
 }
 
-/// Largest distance of a vertex between the two methods, of which the quasi-Newton method must factorize less
-/// often.
+/// Largest difference of a coordinate, m, between the results of both methods. Fails unless the quasi-Newton
+/// method factorizes less often.
 double difference(int steps, const Shell& shell, const StepperOptions& options) {
     const Outcome lagged = after(steps, shell, options, Method::quasi_newton);
     const Outcome exact = after(steps, shell, options, Method::newton);
@@ -95,17 +95,18 @@ TEST(QuasiNewton, DropsFactorsThatLeadNowhere) {
               after(8, fluttering_sheet(), options, Method::newton).factorizations);
 }
 
-// Without rotation, a factor is useless after a quarter of a turn, and each step would need a new one.
+// A factor that is not rotated with the sheet is useless after a quarter of a turn: each step would need a
+// new one.
 TEST(QuasiNewton, KeepsAFactorWhileASheetTurns) {
     StepperOptions options;
     options.step = 1e-3;
     options.tolerance = 1e-8;
     options.contact.sheets = false;
-    const int steps = 100;  // a full turn
+    const int steps = 100;  // about a full turn
     EXPECT_LT(after(steps, spinning_plate(), options, Method::quasi_newton).factorizations, steps / 4);
 }
 
-// Contacts that appear and vanish are patched: each would otherwise cost a factorization.
+// Contacts that appear and vanish are patched: without patches each of them would cost a factorization.
 TEST(QuasiNewton, FactorsSeldomWhileContactsComeAndGo) {
     Shell shell = test::stacked_plates(2, 8, 3 * test::rubber.thickness, test::rubber);
     shell.velocity.rightCols(shell.velocity.cols() / 2).row(2).setConstant(-3);
@@ -149,7 +150,8 @@ TEST(QuasiNewton, SeesThatContactStopsASmallShard) {
     EXPECT_LT(iterations(40, falling_shards(), options, Method::quasi_newton), 2 * newton);
 }
 
-/// Springs (N/m) that press each vertex against a floor from a metre below it, and a barrier (J).
+/// Springs of `spring` N/m that pull each vertex towards a place 1 m below a floor, z = 0, and a barrier of
+/// the floor with the energy -`barrier` ln z, J.
 struct PressedOnAFloor : Energy {
     explicit PressedOnAFloor(const Positions& x) : home(x) { home.row(2).setConstant(-1); }
     double value(const Positions& x) const override {
@@ -172,8 +174,9 @@ struct PressedOnAFloor : Energy {
     double spring = 0.01, barrier = 1e-9;
 };
 
-// Nearer to a floor than its force allows, each correction doubles the distance: a tenth of the tolerance is
-// negligible as a displacement, but the recorded contact force would be a hundred times too large.
+// Where a vertex is nearer to a floor than its force allows, each Newton correction only doubles the
+// distance. At a tenth of the tolerance the distance is negligible as a displacement, but the recorded
+// contact force would be a hundred times too large.
 TEST(QuasiNewton, MeetsForcesWhereContactIsFarTooStiff) {
     const Shell shell = test::two_triangles(test::rubber);
     PressedOnAFloor pressed(shell.position);
@@ -186,7 +189,7 @@ TEST(QuasiNewton, MeetsForcesWhereContactIsFarTooStiff) {
     EXPECT_LT(potential.gradient(x).cwiseAbs().maxCoeff(), 1e-3 * pressed.spring);
 }
 
-// An unsupported part, and NaN, must end with an error and not in a loop.
+// A shell that nothing supports must end with an error and not in a loop.
 TEST(QuasiNewton, SaysThatNothingIsDefinite) {
     Shell shell = test::two_triangles(test::rubber);
     TimeSpent spent;

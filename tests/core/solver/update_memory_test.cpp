@@ -33,7 +33,7 @@ TEST(UpdateMemory, GivesBackTheLastStep) {
     EXPECT_EQ(memory.apply(change, solve), change);
 }
 
-// A direction must remain one of descent where the potential is not convex.
+// Where the potential is not convex, the direction must still be a descent direction.
 TEST(UpdateMemory, LeavesOutWhatShowsNoConvexity) {
     test::Random random(2);
     UpdateMemory memory(3);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each term of the energy balance against sums by hand: in the sum alone, two opposite faults would cancel.
+// Each term of the energy balance is compared with a sum by hand: in the total alone, two opposite faults
+// would cancel.
 #include <gtest/gtest.h>
 
 #include "core/time/implicit_stepper.h"
@@ -45,8 +46,8 @@ TEST(EnergyLedger, InFreeFallTheSchemeTakesWhatTheoryTells) {
         EXPECT_EQ(balance.*part, 0);
 }
 
-// Pins that lift a plate do the work of weight, and twice the kinetic energy that they give it at once: half
-// of this is lost to the scheme.
+// Pins that lift a plate work against its weight. They give the plate its velocity within one step, by twice
+// the work of its kinetic energy: half of that work is lost to the scheme.
 TEST(EnergyLedger, PinsThatLiftAPlateWorkAgainstItsWeight) {
     Shell shell = test::stacked_plates(1, 4, 0, test::ceramic);
     shell.motions.push_back(upwards(0.5));
@@ -60,7 +61,7 @@ TEST(EnergyLedger, PinsThatLiftAPlateWorkAgainstItsWeight) {
     EXPECT_LT(std::abs(balance.unexplained), 1e-9 * kinetic);
 }
 
-// A clamp that turns a strip, with all of its vertices free but the clamped ones.
+// The work of a clamp that turns a strip, whose other vertices are free, must be in the balance.
 TEST(EnergyLedger, AClampThatTurnsWorks) {
     Shell shell = test::stacked_plates(1, 4, 0, test::firm_rubber);
     Motion motion;
@@ -80,12 +81,13 @@ TEST(EnergyLedger, AClampThatTurnsWorks) {
         const EnergyBalance& balance = after_steps(stepper, 60);
         EXPECT_GT(balance.work_of_supports, 1e-3);
         EXPECT_LT(std::abs(balance.unexplained), 1e-9 * balance.work_of_supports);
-        // Half a step of a changing force is the error of the rectangle rule: small beside the work.
+        // The scheme's loss is the error of the rectangle rule, half a step of a changing force: small
+        // beside the work.
         EXPECT_LT(std::abs(balance.lost_to_scheme), 0.2 * balance.work_of_supports);
     }
 }
 
-// A floor that rises under a plate.
+// The work of a floor that rises under a plate must be in the balance.
 TEST(EnergyLedger, AnObstacleThatLiftsAPlateWorks) {
     Shell shell = test::stacked_plates(1, 4, 0, test::rubber);
     shell.position.row(2).setConstant(0.5 * test::rubber.thickness);
@@ -106,7 +108,7 @@ TEST(EnergyLedger, FrictionTakesItsForceTimesTheWay) {
     StepperOptions options = exact_steps(1e-4);
     options.contact.obstacles = {test::floor(1e6, coefficient)};
     const Index vertices = static_cast<Index>(shell.mass.size());
-    for (Index v = 0; v < vertices; ++v)  // each as deep as its weight presses it
+    for (Index v = 0; v < vertices; ++v)  // each vertex is as deep as its weight presses it
         shell.position(2, v) =
             0.5 * shell.thickness[v] -
             shell.mass[v] * fall /
@@ -120,8 +122,8 @@ TEST(EnergyLedger, FrictionTakesItsForceTimesTheWay) {
     EXPECT_LT(std::abs(balance.unexplained), 1e-9 * balance.lost_to_friction);
 }
 
-// Damping by the medium: the velocity falls by 1 / (1 + c h) each step, by a force c m v over the distance v
-// h.
+// Damping by the medium, with the coefficient c, reduces the velocity v to v / (1 + c h) in each step of h,
+// and takes the work of the force c m v over the distance v h.
 TEST(EnergyLedger, DampingTakesItsForceTimesTheWay) {
     Shell shell = test::stacked_plates(1, 4, 0, test::ceramic);
     shell.velocity.row(1).setConstant(2);
@@ -138,7 +140,7 @@ TEST(EnergyLedger, DampingTakesItsForceTimesTheWay) {
     EXPECT_NEAR(after_steps(stepper, 20).lost_to_damping, expected, 1e-9 * expected);
 }
 
-// Dead loads on a free plate.
+// The work of dead loads on a free plate must be the force times the plate's displacement.
 TEST(EnergyLedger, LoadsWorkAlongTheWay) {
     Shell shell = test::stacked_plates(1, 4, 0, test::ceramic);
     StepperOptions options = exact_steps(1e-3);
@@ -196,8 +198,8 @@ TEST_F(HingeThatFails, TakesItsEnergy) {
     expect_lost(bent);
 }
 
-// A step that is given up leaves only the failure: the balance loses the energy of the hinge at the step's
-// beginning.
+// If a step is begun again after a hinge failed in it, only the failure remains: the balance loses the
+// energy that the hinge had at the beginning of the step.
 TEST_F(HingeThatFails, CountsOnceInAStepThatIsBegunAgain) {
     const double bent = stepper->energies().bending;
     solve();

@@ -33,7 +33,7 @@ void advance(Stepper& stepper, int steps) {
     }
 }
 
-/// Elastic gradient as highest_frequency() takes it.
+/// The elastic gradient of `forces` as a function of the positions, which highest_frequency() takes.
 auto gradient_of(ShellEnergies& forces) {
     return [&](const Positions& x) { return test::elastic_gradient(forces, x); };
 }
@@ -93,8 +93,8 @@ TEST(ExplicitFrequency, AFasterPieceIsFoundFromAModeOfAnother) {
     EXPECT_GT(highest_frequency(gradient_of(forces), shell, shell.position, mode), 0.985 * highest);
 }
 
-// With a single free vertex the method has only three directions, and must not find frequencies of the fixed
-// ones.
+// With a single free vertex there are only three directions of motion, and frequencies of the fixed vertices
+// must not be found.
 TEST_F(ExplicitModes, AVertexAmongHeldOnesHasItsOwnFrequency) {
     std::ranges::fill(shell.fixed, 1);
     shell.fixed[shell.fixed.size() / 2] = 0;
@@ -129,7 +129,8 @@ TEST_F(ExplicitModes, SwingWithTheirFrequencyAndKeepTheirEnergy) {
     EXPECT_GT(phase, 0.99) << "after ten periods it is where it began";
 }
 
-// Damping by stiffness takes the energy of a mode at the rate coefficient times frequency squared.
+// Damping by stiffness takes the energy of a mode at the rate of the coefficient times the frequency
+// squared.
 TEST_F(ExplicitModes, DampingTakesTheEnergyThatTheoryTells) {
     const Eigen::Index number = 20;
     const double frequency = std::sqrt(squares[number]), period = 2 * std::numbers::pi / frequency;
@@ -276,8 +277,8 @@ TEST(ExplicitStepper, FrictionOnABodyBetweenVerticesIsTheCoefficientTimesThePres
     EXPECT_LT(std::abs(stepper.balance().lost_to_scheme), 1e-3 * kinetic);
 }
 
-// Cracks that exist from the start separate before the first step: forces are evaluated before any step has
-// begun.
+// Cracks that exist at the start open before the first step. Then forces are evaluated before any step has
+// begun, which must leave no trace.
 TEST(ExplicitStepper, AChangeOfTheShellBeforeTheFirstStepLeavesNoTrace) {
     Shell shell = test::stacked_plates(1, 4, 0, test::rubber);
     shell.velocity.row(1).setConstant(2);
@@ -315,7 +316,7 @@ TEST(ExplicitStepper, PlatesDoNotPassButExchangeTheirVelocity) {
     EXPECT_LT(std::abs(stepper.balance().lost_to_scheme), 0.02 * kinetic);
 }
 
-// Vertices with a prescribed motion must follow it, and the balance must include its work.
+// Vertices with a prescribed motion must follow it, and the balance must include the work of this motion.
 TEST(ExplicitStepper, PinsThatMoveArriveAndWork) {
     Shell shell = test::stacked_plates(1, 4, 0, test::rubber);
     Motion motion;
@@ -334,7 +335,7 @@ TEST(ExplicitStepper, PinsThatMoveArriveAndWork) {
     EXPECT_LT(std::abs(stepper.balance().lost_to_scheme), 0.02 * energy);
 }
 
-/// Plate that two of its sides pull to twice its length in 0.2 s.
+/// Plate that is held on one side and pulled on the opposite side to twice its length in 0.2 s.
 Shell pulled_plate() {
     Shell shell = test::stacked_plates(1, 4, 0, test::rubber);
     Motion still, motion;
@@ -349,7 +350,8 @@ Shell pulled_plate() {
     return shell;
 }
 
-// Stretch stiffens: a substep that was short enough at rest becomes too long, and positions diverge.
+// A stretched plate is stiffer: a substep that was short enough at rest would become too long, and positions
+// would diverge.
 TEST(ExplicitStepper, WhatIsStretchedToTwiceItsLengthStaysStable) {
     Shell shell = pulled_plate();
     ExplicitStepper stepper(shell, explicit_steps(1e-3));
@@ -363,7 +365,7 @@ TEST(ExplicitStepper, WhatIsStretchedToTwiceItsLengthStaysStable) {
     EXPECT_LT(kinetic_energy(shell), 0.01 * work);
 }
 
-// A plate that comes near in one long step, but is thrown back, has not passed.
+// A plate that comes near in one long step, but is thrown back, must not count as having passed.
 TEST(ExplicitStepper, AStepFromFarAwayIntoContactIsNoPassage) {
     Shell shell = test::stacked_plates(1, 4, 0, test::rubber);
     shell.position.row(2).array() += 12e-3;
@@ -377,8 +379,8 @@ TEST(ExplicitStepper, AStepFromFarAwayIntoContactIsNoPassage) {
     EXPECT_GT(shell.velocity.row(2).mean(), 0.5);
 }
 
-// In one step the tray moves by more than the plate's thickness, which is no passage. It is turned from the
-// start, when friction has no velocity yet.
+// In one step the tray moves by more than the plate's thickness, which must not count as a passage. The tray
+// stands at an angle from the start, when friction has no velocity yet.
 TEST(ExplicitStepper, ATrayThatMovesFastLiftsAPlate) {
     Shell shell = test::stacked_plates(1, 4, 0, test::rubber);
     Obstacle tray = test::solid_box({0, 0, -0.02}, {0.08, 0.08, 0.02}, 1e9, 0.5);

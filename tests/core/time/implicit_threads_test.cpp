@@ -9,8 +9,8 @@
 namespace sherd {
 namespace {
 
-/// Positions, velocities, the balance and the number of iterations of three plates that fall onto each other
-/// and onto a box.
+/// Positions, velocities, energy lost to the scheme and number of iterations of three plates that fall onto
+/// each other and onto a box.
 auto falling_plates(Method method, BendingModel bending, int threads) {
     Shell shell = test::stacked_plates(3, 12, 1.001 * test::glass.thickness, test::glass);
     shell.position.row(2).array() += 0.501 * test::glass.thickness;

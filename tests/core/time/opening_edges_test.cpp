@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cohesive forces of an opening edge: if they took an energy other than that of the crack, cracks would
-// propagate at a wrong toughness; if they pushed, the energy would grow.
+// propagate with a wrong toughness; if they pushed, the energy would grow.
 #include "core/time/opening_edges.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ Positions cohesive_pair(double force) {
     return kept;
 }
 
-/// Displacements [3, 4] that move these two vertices apart by `way`, m.
+/// Displacements [3, 4] that move the second and the third vertex apart by `way`, m.
 Positions opening_displacement(double way) {
     return -0.5 * way * cohesive_pair(1);
 }
@@ -29,14 +29,15 @@ Positions opening_displacement(double way) {
 namespace sherd {
 namespace {
 
-constexpr double force = 4, time = 1.0 / 12, longest = 1;  // N, s
-const Positions here = Positions::Zero(3, 4);              // m
+constexpr double force = 4, time = 1.0 / 12, longest = 1;  // N; s, duration of an opening; s, its limit
+const Positions here = Positions::Zero(3, 4);              // m, positions
 
 OpeningEdges by_work() {
     return OpeningEdges(OpeningEdges::Fading::by_work);
 }
 
-/// Pulls the vertices apart in steps of `way` (m) for at most so many steps. Returns the work, J.
+/// Pulls the vertices apart in steps of `way` (m) until the edge is open, for at most `steps` steps. Returns
+/// the work, J.
 double pull(OpeningEdges& edges, double way, int steps) {
     double work = 0;
     for (int i = 0; i < steps && !edges.empty(); ++i) {
@@ -59,8 +60,8 @@ TEST(OpeningEdges, TakeTheirEnergyLessWhatWentAtOnce) {
     EXPECT_EQ(edges.cohesive_share(7), 0);
 }
 
-// The share of the force falls with the square root of the share of energy left, so that the force ends at a
-// finite opening.
+// The share of the force that is left falls with the square root of the share of energy that is left, so
+// that the force ends at a finite opening.
 TEST(OpeningEdges, FadeByTheRootOfWhatIsLeft) {
     OpeningEdges edges = by_work();
     edges.open({7, 0.2, time}, test::cohesive_pair(force), here, 0);
@@ -99,8 +100,8 @@ TEST(OpeningEdges, EndAfterTheirTimeAndWhereMoreWentAtOnce) {
     EXPECT_TRUE(edges.empty()) << "an edge that rests half open would be glued for ever";
 }
 
-// Where two edges open in one step beside small faces, the first may release bending energy and the next take
-// it back: the cohesive force of the first alone would throw the vertices.
+// Where two edges open in one step beside small faces, the first may release bending energy that the second
+// takes back: the cohesive force of the first edge alone would throw the vertices.
 TEST(OpeningEdges, CancelWhatTheNextOpposes) {
     OpeningEdges edges = by_work();
     edges.open({7, 0.2, time}, test::cohesive_pair(force), here, -0.2);
@@ -128,7 +129,7 @@ TEST(OpeningEdges, KeepWhatTheNextDoesNotOppose) {
     EXPECT_EQ(now(0, 1), 2 * force);
 }
 
-constexpr double lasts = 1e-5;  // s
+constexpr double lasts = 1e-5;  // s, time of an opening
 
 StepContext step_at(double begin, double length) {
     StepContext step;
@@ -208,7 +209,7 @@ TEST_F(OpeningEdgesByTime, FadeOverShortSteps) {
     EXPECT_EQ(edges.cohesive_share(7), 0);
 }
 
-// Energy taken before another edge failed must not be counted twice.
+// Energy that an edge took before another edge failed must not be counted twice.
 TEST_F(OpeningEdgesByTime, GoOnWhereTheShellChangesWithinAStep) {
     fail(1, 0.5 * lasts);
     x = x + test::opening_displacement(0.01);
@@ -223,7 +224,7 @@ TEST_F(OpeningEdgesByTime, GoOnWhereTheShellChangesWithinAStep) {
     EXPECT_NEAR(edges.taken(), first + 0.5 * force * 0.02, 1e-12) << "at the share of the step";
 }
 
-// When a step is begun again, its edges are open, and the energy that they took is dropped.
+// When a step is begun again, edges that failed in it are open, and the energy that they took is dropped.
 TEST_F(OpeningEdgesByTime, AStepThatIsBegunAgainHasNoneOfItsEdges) {
     fail(1, 0.25 * lasts);
     edges.solved(x + test::opening_displacement(0.01));
@@ -233,7 +234,8 @@ TEST_F(OpeningEdgesByTime, AStepThatIsBegunAgainHasNoneOfItsEdges) {
     EXPECT_EQ(pull(), 0);
 }
 
-// Crack faces that meet again are not pulled together, and an edge whose energy is complete is not held.
+// Crack faces that meet again must not be pulled together, and an edge that has taken all its energy must
+// not be held.
 TEST_F(OpeningEdgesByTime, HoldNothingThatClosesOrHasItsEnergy) {
     for (const double way : {-0.01, 1.0}) {
         fail(0.1, 0.25 * lasts);

@@ -10,7 +10,7 @@
 namespace sherd {
 namespace {
 
-/// Sheet of one folded hinge with unit edges.
+/// Two triangles that meet in a folded hinge, with an edge of 1 m between them.
 Shell fold(double thickness) {
     const Material material{1000, thickness, 1e9, 0.3};
     Shell shell;
@@ -47,7 +47,8 @@ double smallest_stiffness(const Shell& shell) {
     return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(stiffness, Eigen::EigenvaluesOnly).eigenvalues()[0];
 }
 
-// Most sheets are proved stable hinge by hinge, without the matrix of the whole; no unstable sheet may be.
+// Most sheets are proved stable hinge by hinge, without the matrix of the whole sheet; no unstable sheet may
+// be called stable.
 TEST(Stability, OfCubicHingesIsThatOfTheWholeMatrix) {
     int stable = 0, unstable = 0;
     for (double factor = 1; factor < 1e8; factor *= 3) {
@@ -61,8 +62,8 @@ TEST(Stability, OfCubicHingesIsThatOfTheWholeMatrix) {
     EXPECT_GT(unstable, 2);
 }
 
-// The rest shape is the same with arcs, and the membrane must outweigh the deficit of a cubic hinge as
-// before.
+// With arcs the rest shape is the same, and the membrane must still outweigh the negative stiffness of cubic
+// hinges.
 TEST(Stability, IsEvaluatedWithTheMembraneThatIsChosen) {
     Shell shell = test::curved_patch();
     EXPECT_TRUE(stable_at_rest(shell, BendingModel::coupled, MembraneModel::arc));
@@ -71,8 +72,8 @@ TEST(Stability, IsEvaluatedWithTheMembraneThatIsChosen) {
     EXPECT_FALSE(stable_at_rest(shell, BendingModel::cubic, MembraneModel::arc));
 }
 
-// The Hessian of this form at rest is indefinite wherever the sheet is curved, and does not tell where it
-// settles.
+// The Hessian of the form of 2007 at rest is indefinite wherever the sheet is curved, and does not tell
+// where the sheet settles: the answer must be that for the corrected hinge.
 TEST(Stability, OfTheFormOf2007IsThatOfTheCubicHinge) {
     EXPECT_TRUE(stable_at_rest(fold(0.3), BendingModel::cubic_2007));
     EXPECT_FALSE(stable_at_rest(fold(30), BendingModel::cubic_2007));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Length of explicit substeps where damping limits it. Were they longer, a damped sheet would diverge; were
-// they countless, a run would seem to hang.
+// Length of explicit substeps where damping limits it. If it were too long, a damped sheet would diverge; if
+// it were so short that substeps are countless, a run would seem to hang.
 #include "core/time/stable_substep.h"
 
 #include <gtest/gtest.h>
@@ -14,8 +14,8 @@
 namespace sherd {
 namespace {
 
-// Damping by the medium uses the velocity before the substep: in longer substeps it would exceed the
-// momentum, and throw the sheet back, ever faster.
+// Damping by the medium uses the velocity before the substep: in a longer substep it would take more than
+// the momentum, and throw the sheet back, ever faster.
 TEST(StableSubstep, StrongDampingByTheMediumStopsASheet) {
     Shell shell = test::stacked_plates(1, 3, 0, test::glass);
     shell.velocity.row(2).setConstant(-3);
@@ -33,7 +33,7 @@ TEST(StableSubstep, StrongDampingByTheMediumStopsASheet) {
     EXPECT_LT(shell.velocity.cwiseAbs().maxCoeff(), 1e-9);
 }
 
-// Damping that is 1e9 times too large must not become zero by cancellation.
+// Where damping is 1e9 times too large, the substep must not become zero by cancellation.
 TEST(StableSubstep, IsThatOfTheTheory) {
     EXPECT_DOUBLE_EQ(stable_substep(1e6, {}, 2e-6), 0.8 * 2e-6);
     EXPECT_DOUBLE_EQ(stable_substep(1e6, {1.5e-6, 0}, 2e-6), 0.8 * 2e-6 * 0.5);

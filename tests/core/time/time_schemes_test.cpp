@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// BDF2 against known motions: with a wrong weight, or a history that does not follow changes of the shell, it
-// would be of first order, or drift.
+// BDF2 is compared with known motions: with a wrong weight, or a history that does not follow changes of the
+// shell, it would be of first order, or drift.
 
 #include <gtest/gtest.h>
 
@@ -47,7 +47,8 @@ double miss_in_a_medium(int steps, double uneven) {
     return std::abs(shell.position(0, 0) - 2 / rate * (1 - std::exp(-rate * 0.1)));
 }
 
-// Half the step, a quarter of the error: also where lengths change, as after a step that was halved.
+// Half the step must give a quarter of the error, also where steps differ in length, as after one that was
+// halved.
 TEST(Bdf2, IsOfSecondOrderWithStepsOfAnyLength) {
     for (const double uneven : {1.0, 2.0}) {
         const double once = miss_in_a_medium(40, uneven), twice = miss_in_a_medium(80, uneven);
@@ -71,7 +72,8 @@ std::pair<Matrix3d, double> tumbled(int steps) {
             (end.angular_momentum - brick.angular_momentum).norm() / brick.angular_momentum.norm()};
 }
 
-// The spin of a body with different moments of inertia changes without torque.
+// The angular velocity of a body with different moments of inertia changes without torque; the error of its
+// rotation must be of second order, too.
 TEST(Bdf2, BodiesTumbleAtSecondOrder) {
     const auto [truth, none] = tumbled(3200);
     const auto [once, lost] = tumbled(200);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Steps of one scheme after those of another: no state of the run may be lost between them.
+// A run may continue with another time scheme: no state of the run may be lost at the change.
 #include <gtest/gtest.h>
 
 #include "core/time/stepper.h"
@@ -18,7 +18,7 @@ void advance(Stepper& stepper, int steps, double length) {
     }
 }
 
-/// Two plates that fly, spin and vibrate apart, and a ball.
+/// Two plates far apart that fly, spin and vibrate, and a ball.
 struct Flight {
     Flight() {
         for (Index v = 0; v < static_cast<Index>(shell.mass.size()); ++v) {
@@ -61,7 +61,7 @@ TEST(WithScheme, GoesOnWhereTheOtherEnded) {
     }
 }
 
-// Time, the ball, damping and the balance must pass to the next stepper.
+// Time, the ball, damping and the balance must pass to the stepper of the next scheme.
 TEST(WithScheme, KeepsTheBalanceTheBodiesAndTheTime) {
     Flight flight;
     const double start = flight.energy();
@@ -103,8 +103,9 @@ TEST(WithScheme, TheBalanceHasWhatContactStoresOtherwise) {
     }
 }
 
-// Pieces separate after the last step of one scheme, and before the first one of another: a stepper that has
-// not begun gets this change, and must not read the uninitialised motion of free bodies.
+// Pieces may separate after the last step of one scheme and before the first step of the next. Then a
+// stepper that has not begun any step is told of the change, and must not read the uninitialised motion of
+// free bodies.
 TEST(WithScheme, AStepperThatHasNotBegunHearsOfChanges) {
     for (const Scheme scheme : {Scheme::explicit_differences, Scheme::implicit_euler, Scheme::bdf2}) {
         Flight told, untold;

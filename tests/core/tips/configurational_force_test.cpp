@@ -17,7 +17,7 @@ struct SlitPatch {
     CrackTip tip;
 };
 
-/// edges: length of the slit. turn: rotation of the whole patch at rest.
+/// edges: number of edges along the slit; turn: rotation of the patch's rest shape.
 SlitPatch slit_patch(const Shell& whole, int edges, const Material& material = patch_material,
                      const Matrix3d& turn = Matrix3d::Identity()) {
     constexpr int middle = patch_across / 2;
@@ -76,7 +76,8 @@ test::SlitPatch curved_slit(int edges = 3, const Material& material = test::patc
     return test::slit_patch(test::curved_patch(), edges, material);
 }
 
-/// Shell whose rest shape is moved by `shift` for each metre of an axis, with its elasticity kept.
+/// Shell whose rest shape is moved by `length` (m) times `shift` along an axis (0 or 1). The elasticity
+/// stays with the sheet.
 Shell with_advanced_tip(const Shell& shell, const TipShift& shift, int axis, double length) {
     Shell there = shell;
     for (std::size_t i = 0; i < shift.vertices.size(); ++i)
@@ -92,7 +93,8 @@ Shell with_advanced_tip(const Shell& shell, const TipShift& shift, int axis, dou
     return there;
 }
 
-/// Minus the derivative of all elastic energies, from shells rebuilt at shifted rest shapes.
+/// Minus the derivatives of membrane and bending energy by the tip's place, from shells that are rebuilt at
+/// shifted rest shapes.
 ConfigurationalForce differenced(const test::SlitPatch& patch, const Positions& x, int rings,
                                  const std::vector<MirrorHinge>& mirrors) {
     const VertexFaces around(patch.shell);
@@ -125,8 +127,8 @@ void expect_as_differenced(const test::SlitPatch& patch, const std::vector<Mirro
     }
 }
 
-// A missing term, of the faces' areas, their curvatures or the angles, gives wrong stress intensities. The
-// positions are far from any equilibrium.
+// If a term were missing, of the faces' areas, their curvatures or the angles, stress intensities would be
+// wrong. The positions are far from any equilibrium.
 TEST(ConfigurationalForce, IsTheDerivativeOfTheEnergyByTheRestShape) {
     expect_as_differenced(flat_slit());
     expect_as_differenced(curved_slit());
@@ -138,7 +140,7 @@ TEST(ConfigurationalForce, IsTheDerivativeForOrthotropicSheetsToo) {
     expect_as_differenced(curved_slit(3, oak_of_tips));
 }
 
-// Faces in the rings that end at a clamp or a symmetry plane.
+// The rings include faces at a clamp and at a symmetry plane, whose mirror images must count.
 TEST(ConfigurationalForce, IsTheDerivativeBesideMirrorsToo) {
     const test::SlitPatch patch = flat_slit(4);
     std::vector<char> wall(patch.shell.rest.cols()), plane(patch.shell.rest.cols());
@@ -155,7 +157,7 @@ TEST(ConfigurationalForce, IsTheDerivativeBesideMirrorsToo) {
     expect_as_differenced(patch, mirrors);
 }
 
-// The energy of arcs differs: a wrong value would not be noticed.
+// The energy of arcs has other derivatives: a wrong value would not be noticed.
 TEST(ConfigurationalForce, IsRefusedForArcs) {
     const test::SlitPatch patch = flat_slit();
     const VertexFaces around(patch.shell);

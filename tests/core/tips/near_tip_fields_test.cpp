@@ -41,8 +41,8 @@ Vector2d gradient_there(const Vector2d& at) {
     return membrane_field(glass_at_tip, mixed_modes, at).along_gradient;
 }
 
-// A field that is no equilibrium, or whose displacement does not fit its stress, gives different factors on
-// each contour.
+// From a field that is no equilibrium, or whose displacement does not fit its stress, each contour would
+// give other stress intensity factors.
 TEST(NearTipFields, MembraneIsInEquilibriumAndCompatible) {
     for (const Vector2d& at : places_around()) {
         const Vector3d x = derivative(stress_there, at, 0), y = derivative(stress_there, at, 1);
@@ -76,7 +76,7 @@ Vector3d moments_there(const Vector2d& at) {
     const double nu = glass_at_tip.poisson;
     return {k[0] + nu * k[1], k[1] + nu * k[0], (1 - nu) / 2 * k[2]};
 }
-/// Transverse forces.
+/// Transverse forces over the rigidity.
 Vector2d shear_there(const Vector2d& at) {
     const Vector3d x = derivative(moments_there, at, 0), y = derivative(moments_there, at, 1);
     return {x[0] + y[2], x[2] + y[1]};
@@ -111,7 +111,7 @@ TEST(NearTipFields, PlateHasItsFactorAheadAndFreeCrackFaces) {
 
 constexpr double in_degrees = 180 / std::numbers::pi;
 
-// Values of the paper; a wrong sign would turn cracks the wrong way.
+// Values of Erdogan and Sih; a wrong sign would turn cracks the wrong way.
 TEST(CrackDirection, MembraneTurnsAsErdoganAndSihSay) {
     EXPECT_EQ(hoop_angle({1, 0}), 0);
     EXPECT_NEAR(hoop_angle({0, 1}) * in_degrees, -70.53, 0.01);

@@ -10,7 +10,7 @@ using Eigen::MatrixXd;
 
 constexpr Eigen::Index size = 200;
 
-/// Eigenvalues: 100 several times, 95, and many from 75 downwards.
+/// Eigenvalues: 100 for `copies` times, 95 once, and many from 75 downwards.
 VectorXd spectrum(int copies) {
     VectorXd values = VectorXd::LinSpaced(size, 75, 0.1);
     values.head(copies).setConstant(100);
@@ -18,7 +18,7 @@ VectorXd spectrum(int copies) {
     return values;
 }
 
-// Lanczos' method alone finds one of the equal values too few, with 95 in its place.
+// Lanczos' method alone finds too few of the equal eigenvalues, with 95 in the place of one.
 TEST(LargestEigenpairs, AreFoundAsOftenAsTheyAre) {
     for (const int copies : {2, 4}) {
         const VectorXd values = spectrum(copies);

@@ -47,8 +47,8 @@ VectorXd dense_eigenvalues(const Shell& shell, const ShellEnergyOptions& options
     return Eigen::SelfAdjointEigenSolver<MatrixXd>(scaled).eigenvalues();
 }
 
-/// A plate that is pinned at one corner and guided in planes across x and y at two others, under a pressure
-/// with a ramp.
+/// A plate that is pinned at one corner and guided at two others, in the planes across x and across y, under
+/// a pressure with a ramp.
 struct HeldPlate {
     Shell shell = plate(6);
     ShellEnergyOptions options;
@@ -101,8 +101,8 @@ TEST_P(VibrationModels, SolveTheEquationAndAreOrthonormal) {
     }
 }
 
-// A free plate has six rigid motions, and one with too few supports some; they must not displace modes in the
-// list.
+// A free plate has six rigid motions, and a plate with too few supports has some; they must not displace
+// modes in the list.
 TEST(Vibration, TellsRigidMotionsApart) {
     const auto rigid = [](const Shell& shell, const ShellEnergyOptions& options = {}) {
         const Vibration found = vibration(shell, options, 3);
@@ -141,7 +141,8 @@ TEST(Vibration, TellsRigidMotionsOfThinSheetsFarAway) {
     EXPECT_NEAR(there.modes[0].frequency(), here, 0.05 * here);
 }
 
-// Lanczos' method finds one of several equal frequencies; five equal plates in a scene have each five times.
+// Lanczos' method finds only one of several equal frequencies; with five equal plates in a scene, each
+// frequency must be found five times.
 TEST(Vibration, FindsFrequenciesAsOftenAsTheyAre) {
     const Shell one = plate(4);
     const Vibration single = vibration(one, {}, 4);
@@ -161,7 +162,7 @@ TEST(Vibration, FindsFrequenciesAsOftenAsTheyAre) {
         EXPECT_NEAR(all.modes[i].eigenvalue / single.modes[i / copies].eigenvalue, 1, 1e-7) << i;
 }
 
-// A mesh of two triangles has six modes; a request for more returns all.
+// A mesh of two triangles has six modes beside its rigid motions; a request for more modes returns all.
 TEST(Vibration, OfTheSmallestSheetIsComplete) {
     const Shell shell = test::two_triangles(test::rubber);
     const Vibration found = vibration(shell, {}, 100);

@@ -12,7 +12,7 @@
 namespace sherd {
 namespace {
 
-/// Flat strip of hinges with the strength of the test.
+/// Flat strip with the strength that a test sets, and measures of its hinges.
 class Breaking : public testing::Test {
   protected:
     Breaking() { set(uniform_strength(0.1)); }
@@ -41,11 +41,11 @@ std::vector<Edge> sorted(std::vector<Edge> edges) {
     return edges;
 }
 
-// A stage breaks the worst hinges only; their neighbours are evaluated again after the sheet has relaxed. The
-// paper's rule breaks them all.
+// A stage breaks only the most overloaded hinges; their neighbours are evaluated again after the sheet has
+// relaxed. The paper's rule breaks all overloaded hinges.
 TEST_F(Breaking, PicksTheMostOverloadedWithinTwoRings) {
     strain_at(15, 28) = 0.3;   // worst of the left half
-    strain_at(16, 29) = 0.2;   // a ring away
+    strain_at(16, 29) = 0.2;   // a ring away from the worst
     strain_at(22, 35) = 0.15;  // far away
     strain_at(36, 49) = 0.05;  // not overloaded
     EXPECT_EQ(most_overloaded_edges(*sheet, measures), sorted({edge_at(15, 28), edge_at(22, 35)}));
@@ -53,7 +53,7 @@ TEST_F(Breaking, PicksTheMostOverloadedWithinTwoRings) {
               sorted({edge_at(15, 28), edge_at(16, 29), edge_at(22, 35)}));
     strain_at(22, 35) = -0.3;  // presses the edge together
     EXPECT_EQ(most_overloaded_edges(*sheet, measures), std::vector{edge_at(15, 28)});
-    measures.strain.setConstant(0.2);  // a tie everywhere breaks somewhere, and not everywhere
+    measures.strain.setConstant(0.2);  // equal overloads everywhere break some hinges, and not all
     const std::size_t count = most_overloaded_edges(*sheet, measures).size();
     EXPECT_GT(count, 0u);
     EXPECT_LT(count, sheet->mechanics().hinges.size() / 20);
@@ -61,7 +61,7 @@ TEST_F(Breaking, PicksTheMostOverloadedWithinTwoRings) {
 
 // A hinge at a crack tip fails before an equally strained one elsewhere, but not by the paper's rule.
 TEST_F(Breaking, ContinuesACrackBelowTheStrength) {
-    sheet->fail(std::array{edge_at(3, 16)});  // from the boundary inwards: open, with its tip at 16
+    sheet->fail(std::array{edge_at(3, 16)});  // from the boundary inwards: it opens up to its tip, 16
     EXPECT_TRUE(sheet->cracks().is_tip(Vertex(16)));
     EXPECT_FALSE(sheet->cracks().is_tip(Vertex(3)));
     strain_at(16, 29) = 0.08;
@@ -96,7 +96,7 @@ TEST_F(Breaking, ComparesByTheMeasureOfTheSheet) {
     }
 }
 
-// The grid's edges along x are pulled along y when they open, and those along y along x.
+// When an edge along x opens, it is pulled along y; an edge along y is pulled along x.
 TEST_F(Breaking, IsStrongerAlongTheStrongAxis) {
     Strength strength;
     strength.along = 0.4;
@@ -135,7 +135,7 @@ TEST_F(Breaking, RefusesStrengthsThatDoNotFitTheMesh) {
     SheetInput flat;
     flat.mesh = test::grid(2, 2);
     flat.material = {1000, 0.01, 1e7, 0.3};
-    flat.strength.along = 1;  // a direction, and no axes
+    flat.strength.along = 1;  // strength with a direction, but no axes
     EXPECT_THROW(BreakableShell({flat}), Error);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any edges of any mesh against the corner rule. tests/CMakeLists.txt has the number of cases of each
-// property.
+// Failures of random edges in random meshes are compared with the corner rule, a reference without common
+// code. tests/CMakeLists.txt has the number of cases of each property.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -49,7 +49,7 @@ namespace {
 using test::CrackCase;
 using test::Random;
 
-/// Mesh and edges of a case, ready to fail.
+/// Mesh of a case, and its edges that are to fail.
 struct Drawn {
     explicit Drawn(const CrackCase& drawn)
         : mesh(test::random_mesh(drawn.mesh)),

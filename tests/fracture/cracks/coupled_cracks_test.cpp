@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Coupled hinges and arcs after a crack: only the faces around it may be computed again, and the result must
-// equal that of a shell made with these edges free.
+// Coupled hinges and arcs after a crack: only the faces around the crack may be computed again, and the
+// result must equal that of a shell that is made with the failed edges open.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -19,7 +19,7 @@
 namespace sherd {
 namespace {
 
-/// A bent sheet with a curved rest shape, and two symmetry planes.
+/// A sheet whose rest shape is a quarter of a dome.
 BreakableShell dome() {
     SheetInput input;
     input.mesh = generate_rectangle(1, 0.8, {0.12, Layout::delaunay, 2});
@@ -43,7 +43,7 @@ std::vector<MirrorHinge> symmetry(const Shell& shell) {
 
 using Pairs = std::vector<std::pair<Index, Index>>;
 
-/// Each pair once, the smaller vertex first.
+/// The pairs of the energy's pattern, each once, the smaller vertex first.
 Pairs pattern_of(const Energy& energy) {
     Pairs pairs;
     energy.add_pattern(pairs);
@@ -105,8 +105,7 @@ RC_GTEST_PROP(CoupledCracks, LeaveWhatAShellMadeWithTheseEdgesFreeHas, ()) {
     }
 }
 
-// Hinges of pieces one or two triangles wide have few directions: the energy must stay bounded, and resist
-// every bend that the hinges measure.
+// In pieces one or two triangles wide, hinges have few directions: the energy must stay bounded.
 TEST(CoupledCracks, NarrowPiecesStayAsStiffAsTheyWere) {
     BreakableShell sheet = dome();
     const Shell& shell = sheet.mechanics();
@@ -133,8 +132,8 @@ TEST(CoupledCracks, NarrowPiecesStayAsStiffAsTheyWere) {
 }
 
 // When a hinge breaks, the arcs of the sides around it are computed from fewer angles, or none. This must
-// neither load a sheet without load, nor give a sheet that is bent without stretch more energy than flat
-// triangles have, whose energy it reaches when all hinges are broken.
+// not load a sheet without load. Nor may it give a sheet that is bent without stretch more energy than flat
+// triangles have; the sheet reaches their energy when all hinges are broken.
 TEST(CoupledCracks, ArcsOfABentSheetTurnIntoChordsAtLast) {
     BreakableShell sheet = test::flat_plate(1, 0.8, 0.12, {1000, 0.02, 1e9, 0.3});
     const Shell& shell = sheet.mechanics();

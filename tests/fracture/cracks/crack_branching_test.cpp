@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tips that branch. If the vibration of an opening edge counted in the mean release, tips would branch
-// everywhere; if near branches did not propagate together, one of each pair would stop at once, by the chance
-// of the mesh.
+// everywhere; if near branches did not propagate together, one branch of each pair would stop at once, by
+// the chance of the mesh.
 #include "fracture/cracks/crack_branching.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 namespace sherd {
 namespace {
 
-constexpr double plate_edge = 0.0016, limit = 1500;  // m, m/s
+constexpr double plate_edge = 0.0016, limit = 1500;  // m, length of edges; m/s, speed limit of tips
 
 /// Glass plate, 100 by 40 mm, that is open from the left to the middle.
 BreakableShell half_open_plate() {
@@ -32,7 +32,7 @@ BreakableShell half_open_plate() {
     return BreakableShell({input});
 }
 
-/// Tip that propagates along x at its limit.
+/// Tip that propagates along x at its speed limit.
 GrowingTip running_tip(const BreakableShell& plate, const Vector3d& place) {
     GrowingTip tip;
     (plate.mechanics().rest.colwise() - place).colwise().squaredNorm().minCoeff(&tip.vertex);
@@ -43,8 +43,8 @@ GrowingTip running_tip(const BreakableShell& plate, const Vector3d& place) {
 
 const Vector3d middle(0.05, 0.02, 0);
 
-// The mean release reaches half of a new value within the time of two edges: a vibration within one edge must
-// not make a tip branch.
+// The mean release must reach half of a new value in the time that the tip takes for two edges: a vibration
+// within one edge must not make a tip branch.
 TEST(CrackBranching, TheMeanReleaseFollowsWithinThreeEdges) {
     const BreakableShell plate = half_open_plate();
     GrowingTip tip = running_tip(plate, middle);
@@ -55,8 +55,8 @@ TEST(CrackBranching, TheMeanReleaseFollowsWithinThreeEdges) {
     EXPECT_DOUBLE_EQ(tip.release, 9) << "in long steps it is that of the step";
 }
 
-// Residual stress does not vibrate: it counts in full beside the mean of the other loads, within half a
-// thickness of propagation, on any mesh.
+// Residual stress does not vibrate: its share of the release must count in full beside the mean of the other
+// loads, and must be reached within half a thickness of propagation, on any mesh.
 TEST(CrackBranching, ResidualStressFeedsByTheThickness) {
     const BreakableShell plate = half_open_plate();
     TipLoad load;

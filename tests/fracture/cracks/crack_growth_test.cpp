@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cracks by strength and toughness. If the mesh instead of its load drove a tip, or a tip lost its path, its
-// speed or its neighbours, stars would become holes, and straight cracks zigzags.
+// speed or its neighbours, star-shaped cracks would become holes, and straight cracks zigzags.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -198,11 +198,11 @@ TEST(CrackGrowth, SnapshotsTellHowFarEdgesHaveFaded) {
     EXPECT_TRUE(before.empty()) << "in the end nothing holds the strip together";
 }
 
-/// Strip in implicit steps of `step` s, until it is in two, or for 400 of them.
+/// Strip in implicit steps of `step` s, until it is in two, or for 400 steps.
 struct ImplicitRun {
     StepReport last;
-    double needed = 0;   ///< J, of the cracks
-    double largest = 0;  ///< J, of the energies
+    double needed = 0;   ///< J, fracture energy of the cracks
+    double largest = 0;  ///< J, largest kinetic or membrane energy
     int fading = 0;      ///< number of edges that a step left half open
 
     explicit ImplicitRun(double step) {

@@ -21,13 +21,13 @@ namespace {
 
 using test::Random;
 
-/// Cracked mesh without the numbers that its vertices and edges got on the way.
+/// Cracked mesh in a form that does not depend on the numbers of its vertices and edges.
 struct Surface {
     std::vector<std::size_t> vertex_of_corner;  ///< [3 F] first corner with the same vertex
-    std::vector<EdgeState> state_of_side;       ///< [3 F]
+    std::vector<EdgeState> state_of_side;       ///< [3 F] state of each side's edge
     std::vector<std::size_t> opposite_of_side;  ///< [3 F] side of the other face; its own on the boundary
-    std::vector<Vertex> original_of_corner;     ///< [3 F]
-    std::array<std::size_t, 4> counts;          ///< vertices, edges, faces, components
+    std::vector<Vertex> original_of_corner;     ///< [3 F] vertex of the unfractured mesh
+    std::array<std::size_t, 4> counts;          ///< numbers of vertices, edges, faces, components
     bool operator==(const Surface&) const = default;
 };
 
@@ -54,7 +54,7 @@ Surface surface_of(const CrackMesh& cracks) {
     return surface;
 }
 
-/// Lets the same edges fail in 20 random orders, in turn one by one and in random batches.
+/// Lets the same edges fail in 20 random orders, alternately one by one and in random batches.
 void expect_one_surface(const Mesh& mesh, std::vector<Edge> failed, unsigned seed) {
     Random random(seed);
     CrackMesh at_once(mesh);
@@ -110,7 +110,7 @@ TEST(CrackOrder, DoesNotMatterOnGeneratedMeshes) {
     expect_one_surface_for_all_patterns(generate_revolution(profile, options));
 }
 
-// Meshes from elsewhere: used if they are present beside the project.
+// Real meshes are not part of the project: they are used if they are present beside it.
 TEST(CrackOrder, DoesNotMatterOnRealMeshes) {
     const auto folder = std::filesystem::path(__FILE__).parent_path() / "../../../shared/data";
     if (!std::filesystem::is_directory(folder)) {

@@ -25,8 +25,8 @@ struct Outcome {
     std::vector<double> fragment_areas;
 };
 
-/// Pushes down on `faces`, with up to `force` (N/m^2), and stops when the sheet has fallen apart and no edge
-/// has failed for a while.
+/// Pushes down on `faces`, with up to `force` (N/m^2). Returns the outcome when the sheet has fallen apart
+/// and no edge has failed for ten steps.
 Outcome press(const SheetInput& input, const std::vector<Index>& faces, double force) {
     SimulationOptions options;
     options.stepper.gravity.setZero();
@@ -65,7 +65,7 @@ SheetInput glass_rectangle(double length, double height, unsigned seed) {
     return sheet;
 }
 
-/// Faces whose centre is between these coordinates.
+/// Faces whose centre has an x between `low` and `high` (m).
 std::vector<Index> faces_between(const Mesh& mesh, double low, double high) {
     std::vector<Index> faces;
     for (const Face face : mesh.faces()) {
@@ -84,7 +84,7 @@ SheetInput strip_on_two_supports(unsigned seed) {
     return strip;
 }
 
-/// Edges of a walk along the mesh from the rim at (x, 0) upward.
+/// Edges of a path along the mesh from the rim at (x, 0) upward, to the height `depth` (m).
 std::vector<Edge> notch(const Mesh& mesh, double x, double depth) {
     const auto distance = [&](Vertex v) { return std::hypot(mesh.point(v).x() - x, mesh.point(v).y()); };
     Vertex at = *std::min_element(mesh.vertices().begin(), mesh.vertices().end(),
@@ -130,7 +130,8 @@ TEST(BreakingPath, RunsFromANotchAcrossABentStrip) {
     }
 }
 
-// A load on a narrow band in the middle, like that of a bar.
+// A load on a narrow band in the middle, like that of a bar, must break the strip there once, at its
+// strength.
 TEST(BreakingPath, BreaksAStripBentOverAnEdgeOnce) {
     constexpr double most = 3e5;  // N/m^2
     for (const unsigned seed : {1u, 2u, 3u}) {
@@ -164,7 +165,8 @@ std::array<double, 6> angle_histogram(const Outcome& outcome, const SheetInput& 
     return share;
 }
 
-// Four times as strong along the axis as across: cracks run along it, whatever its direction on the mesh.
+// In a plate that is four times as strong along its axis as across, cracks must run along the axis, whatever
+// its direction on the mesh.
 TEST(BreakingPath, FollowsTheWeakDirectionOfAPlate) {
     for (const double degrees : {0, 90}) {
         SheetInput plate = glass_rectangle(0.2, 0.2, 4);

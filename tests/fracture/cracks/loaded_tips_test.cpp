@@ -42,8 +42,8 @@ Load pressure_on_crack_faces(const test::CrackedSheet& sheet, double pressure) {
     return load;
 }
 
-// Pressure on the crack faces drives a crack like a pull on the sheet, from which it differs by a field of
-// constant strain without a crack; the rings move through it.
+// Pressure on the crack faces must release as much as a pull on the sheet: both loads differ by a uniform
+// stress, which needs no crack. The pressure acts within the moving rings and must count there.
 TEST(LoadedTips, PressureOnCrackFacesReleasesWhatAPullDoes) {
     for (const int size : {5, 10}) {
         std::array<double, 3> with{}, without{};
@@ -94,7 +94,8 @@ test::CrackedSheet rolled_sheet(double edge_length, unsigned seed, double radius
     return sheet;
 }
 
-/// Positions of the cylinder under pressure, with the stress load_of_tips around and none along.
+/// Positions of the cylinder under pressure, with the stress load_of_tips around the cylinder and none along
+/// it.
 Positions blown_up(const test::CrackedSheet& sheet, double radius, LoadEnergy& loads) {
     const auto angle_at = [&](Index v) { return std::atan2(sheet.shell.rest(1, v), sheet.shell.rest(2, v)); };
     std::vector<char> outline = test::near_outline(sheet.shell, 1e-9);
@@ -116,8 +117,8 @@ Positions blown_up(const test::CrackedSheet& sheet, double radius, LoadEnergy& l
         });
 }
 
-// A thin sheet that is rolled up by 2 rad across its crack: far from small displacements, where no theory
-// gives the release, it must not depend on the number of moving rings.
+// A thin sheet that is rolled up by 2 rad across its crack is far from small displacements, where no theory
+// gives the release; still the release must not depend on the number of moving rings.
 TEST(LoadedTips, RollingUpReleasesTheSameWithAnyRings) {
     constexpr double radius = 6;
     const test::CrackedSheet sheet = test::cracked_sheet(0.1, 1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Energy of tempered sheets. If it depended on the mesh, or were released twice, tempered glass would break
-// into as many fragments as the mesh has faces.
+// Residual energy of tempered sheets. If it depended on the mesh, or were released twice, tempered glass
+// would break into as many fragments as the mesh has faces.
 #include "fracture/cracks/residual_stress.h"
 
 #include <gtest/gtest.h>
@@ -105,8 +105,8 @@ TEST(ResidualStress, ARimIsNoCrackAndEndsTheSheet) {
         << "it runs into the rim";
 }
 
-// Less energy is left beside another crack: between two at a distance s the share (1 - exp(-s / (2 reach)))^2
-// of the release of one crack face, and 1 - exp(-s / reach) of it beyond.
+// Less energy is left beside another crack: of the release of one crack face, the share (1 - exp(-s / (2
+// reach)))^2 between two cracks at a distance s, and the share 1 - exp(-s / reach) beyond the other crack.
 TEST(ResidualStress, ACrackBesideAnotherReleasesLess) {
     const ResidualStress residual = residual_stress(tempered_glass());
     const double edge_length = 0.0005, step = 0.001;
@@ -142,8 +142,8 @@ TEST(ResidualStress, ATemperedSurfaceBearsMore) {
     }
 }
 
-/// Length of cracks, and the last report, of a pane without loads that is tempered by `stress` (Pa), `steps`
-/// steps after its rim was notched.
+/// Length of cracks, m, and the last report, of a pane without loads that is tempered by `stress` (Pa),
+/// `steps` steps after its rim was notched.
 std::pair<double, StepReport> notched(double stress, int steps) {
     SheetInput input = pane(0.002, Layout::structured);
     input.material.tempered = stress;
@@ -169,7 +169,8 @@ std::pair<double, StepReport> notched(double stress, int steps) {
     return {length, report};
 }
 
-// Only its own energy drives the crack: it must propagate where that is over G_c, and only there.
+// Only the pane's own residual energy drives the crack: it must propagate where that energy exceeds G_c, and
+// only there.
 TEST(BreakingResidualStress, DrivesACrackThatItSuffices) {
     const ResidualStress at = residual_stress(tempered_glass());
     const double needed = 7.5e5 * 7.5e5 / test::glass.young,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Step that resolves cracks. From a wrong sheet or edges it would be needlessly short, or too long for the
-// cracks' propagation to be seen.
+// Length of a step that resolves the propagation of cracks. Computed from a wrong sheet or wrong edges, it
+// would be needlessly short, or too long for the propagation to be seen.
 #include "fracture/cracks/resolving_step.h"
 
 #include <gtest/gtest.h>

@@ -62,7 +62,7 @@ TEST_F(SmallPieces, AreToldFromEitherSideOfACrackThatIsOpen) {
     EXPECT_TRUE(separates(edge_at(45, 58), 5, cut));
 }
 
-// Two edges together would separate a piece: one of them may fail.
+// Two edges together would separate a piece: only one of them may fail.
 TEST_F(SmallPieces, AreKeptOnByTheLastEdgeAndCountedOnce) {
     const std::vector<Edge> both{right(), top()};
     EXPECT_EQ(prevent_small_pieces(*sheet, both), 1);
@@ -97,7 +97,7 @@ double smallest_area(const Snapshot& frame, Index fragments) {
     return *std::ranges::min_element(area);
 }
 
-// A run must have no fragment below the size, and report how often it kept one on.
+// A run must have no fragment below the smallest size, and must report how often it prevented one.
 TEST(ArtDirection, NoPieceOfARunIsBelowTheSmallest) {
     for (const double smallest : {0.0, 0.03}) {
         Simulation simulation = thrown_disc({.smallest = smallest});

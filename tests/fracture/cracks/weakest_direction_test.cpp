@@ -17,7 +17,8 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180, along = 1e6, across = 4e6;
 
-/// Square whose first material axis is turned by `axis` (rad) from x; K_Ic of pulls along and across it.
+/// Square whose first material axis is turned by `axis` (rad) from x. pulled_along, pulled_across: K_Ic of
+/// pulls along this axis and across it.
 BreakableShell square(double axis, double pulled_along, double pulled_across) {
     SheetInput input;
     input.mesh = generate_rectangle(1, 1, {0.1, Layout::delaunay, 1});
@@ -36,7 +37,7 @@ GrowingTip middle_tip(const BreakableShell& sheet) {
     return tip;
 }
 
-/// Kink, rad, by a search over G / G_c with the toughness of the material.
+/// Kink angle, rad, of the largest G / G_c, by a search with the toughness of the material.
 double expected_kink(const Toughness& toughness, double axis) {
     double best = 0, largest = 0;
     for (double kink = -75 * degree; kink <= 75 * degree; kink += 0.05 * degree) {
@@ -71,8 +72,8 @@ TEST(WeakestDirection, LeavesASheetWithoutDirectionsAlone) {
     EXPECT_EQ(load.intensity, 2e6);
 }
 
-// A tip that is driven by stress keeps to its largest turn: otherwise the grain would break the path into saw
-// teeth.
+// A tip that is driven by stress must not turn by more than its largest turn: otherwise the grain would
+// break the path into saw teeth.
 TEST(WeakestDirection, ATipThatRunsTurnsSlowly) {
     const BreakableShell sheet = square(45 * degree, along, across);
     GrowingTip tip = middle_tip(sheet);

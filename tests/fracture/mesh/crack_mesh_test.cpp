@@ -18,7 +18,9 @@ Edge edge_between(const Mesh& mesh, int a, int b) {
     return mesh.edge(mesh.halfedge(Vertex(static_cast<unsigned>(a)), Vertex(static_cast<unsigned>(b))));
 }
 
-// B0: a lone edge inside cannot open. B1: a second one from its end opens both. B2: between two boundaries.
+// Number of an edge's ends on other failed or boundary edges (B0, B1, B2 in the paper): with 0, a lone inner
+// edge cannot open; with 1, an edge from its end opens both; with 2, an edge between two boundaries opens
+// and divides the sheet.
 TEST(CrackMesh, CountsBoundaryVerticesOfAFailingEdge) {
     CrackMesh cracks(grid(4, 4));
     const Edge lone = edge_between(cracks.mesh(), 6, 7), next = edge_between(cracks.mesh(), 7, 8);

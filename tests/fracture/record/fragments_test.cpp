@@ -22,7 +22,7 @@ std::vector<double> areas_of(const Mesh& mesh) {
     return areas;
 }
 
-/// Edges along the column `x` of a grid of `rows` rows that is `columns` wide.
+/// Edges of a grid of `columns` by `rows` squares on its line number `x` across the rows.
 std::vector<Edge> column_edges(const Mesh& mesh, unsigned columns, unsigned rows, unsigned x) {
     std::vector<Edge> edges;
     for (unsigned y = 0; y < rows; ++y)
@@ -31,7 +31,8 @@ std::vector<Edge> column_edges(const Mesh& mesh, unsigned columns, unsigned rows
     return edges;
 }
 
-// The larger part keeps its number and the other gets a new one, also when that one splits again.
+// The larger part must keep its number and the other part get a new one, also when the other part splits
+// again.
 TEST(Fragments, KeepTheirNumbersWhileOthersSplit) {
     const Mesh whole = test::grid(10, 2);
     const std::vector<double> areas = areas_of(whole);
@@ -40,9 +41,9 @@ TEST(Fragments, KeepTheirNumbersWhileOthersSplit) {
     EXPECT_EQ(fragments.count(), 1);
     EXPECT_EQ(fragments.parents()[0], -1);
 
-    cracks.fail(column_edges(whole, 10, 2, 4));  // 4 columns off the left
+    cracks.fail(column_edges(whole, 10, 2, 4));  // splits 4 columns off on the left
     fragments.update(cracks.mesh(), areas);
-    cracks.fail(column_edges(whole, 10, 2, 3));  // a column off these four
+    cracks.fail(column_edges(whole, 10, 2, 3));  // splits a column off these four
     fragments.update(cracks.mesh(), areas);
     ASSERT_EQ(fragments.count(), 3);
     EXPECT_EQ(fragments.parents()[1], 0);
@@ -55,8 +56,9 @@ TEST(Fragments, KeepTheirNumbersWhileOthersSplit) {
     }
 }
 
-// In whatever order edges fail: numbers are those of the components, separated faces never share a number
-// again, each new number had a parent that existed, and a number keeps its largest part.
+// Whatever edges fail, and in whatever order: each component must have a number of its own, separated faces
+// must never share a number again, each new number must have the earlier number of its faces as parent, and
+// the largest part must keep its number.
 RC_GTEST_PROP(Fragments, AreComponentsWithAncestors, ()) {
     const Mesh whole = test::grid(*rc::gen::inRange(2, 7), *rc::gen::inRange(1, 5));
     const std::vector<double> areas = areas_of(whole);

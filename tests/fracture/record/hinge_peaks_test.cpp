@@ -17,7 +17,8 @@ SheetInput disc() {
     return sheet;
 }
 
-/// Measures that are `factor` times the number of each hinge's edge.
+/// Measures of all hinges: `factor`, and twice and three times as much, times the number of the hinge's
+/// edge.
 HingeMeasures by_edge(const BreakableShell& sheet, double factor) {
     VectorXd values(static_cast<Index>(sheet.mechanics().hinges.size()));
     for (Index i = 0; i < values.size(); ++i)
@@ -60,7 +61,7 @@ TEST(HingePeaks, ReplaceAttemptsThatWereGivenUp) {
     EXPECT_EQ(peaks.of_edges().bending.maxCoeff(), by_edge(sheet, 1).bending.maxCoeff());
 }
 
-// Otherwise the table of a run would contradict itself.
+// If the largest peak were not that of the reports, the table of a run would contradict itself.
 TEST(HingePeaks, TheLargestIsThatOfTheReports) {
     SheetInput sheet = disc();
     for (const Vertex v : sheet.mesh.vertices()) {

@@ -56,7 +56,7 @@ TEST(Yielding, IsTheWorseSurfaceOfTheWorstFaceOverTheStressOfItsSheet) {
     EXPECT_EQ(yield_peak(BreakableShell({strip(0)}), strains).ratio, 0) << "nothing there yields";
 }
 
-// Implicit and explicit steps must report it.
+// The reports of implicit and of explicit steps must include the yield ratio.
 TEST(Yielding, IsInTheReportOfEachStep) {
     for (const Scheme scheme : {Scheme::implicit_euler, Scheme::explicit_differences}) {
         SheetInput input = strip(1e6);

@@ -48,7 +48,8 @@ std::vector<MirrorHinge> rim_mirrors(const Shell& shell) {
     return mirrors;
 }
 
-// An energy that follows changes equals one that is made of the changed shell, and is zero at rest.
+// An energy that follows changes must equal an energy that is made of the changed shell, and must be zero at
+// rest.
 RC_GTEST_PROP(AdvanceEnergies, AreThoseOfTheShellAsItIs, ()) {
     const unsigned shape = *rc::gen::inRange(0u, test::sheet_shapes), seed = *rc::gen::inRange(0u, 1u << 30);
     BreakableShell sheet({test::directed_input(shape, seed)});
@@ -83,8 +84,9 @@ RC_GTEST_PROP(AdvanceEnergies, AreThoseOfTheShellAsItIs, ()) {
     expect_same_energy(*arcs, *membrane_energy(shell, MembraneModel::arc), x);
 }
 
-// A clamp whose side is split or gets another triangle continues over all of its length. On a curved sheet it
-// keeps its tangent, against which triangles with another corner have another angle at rest.
+// A clamp whose side is split or gets another triangle must continue to act over its whole length. On a
+// curved sheet it keeps its tangent, to which a triangle with another corner is at another angle at rest; so
+// energies are compared on flat sheets only.
 RC_GTEST_PROP(AdvanceEnergies, ClampsGoOn, ()) {
     const unsigned seed = *rc::gen::inRange(0u, 1u << 30);
     const unsigned shape = *rc::gen::element(0u, 1u, 3u);
@@ -110,7 +112,7 @@ RC_GTEST_PROP(AdvanceEnergies, ClampsGoOn, ()) {
     RC_ASSERT(std::abs(coupled->value(x) - bent) <= 1e-9 * bent);
 }
 
-// Loads keep their total force and moment when triangles change.
+// Loads must keep their total force and moment when triangles change.
 RC_GTEST_PROP(AdvanceEnergies, LoadsGoOn, ()) {
     const unsigned seed = *rc::gen::inRange(0u, 1u << 30);
     BreakableShell sheet({test::directed_input(0, seed)});
@@ -145,7 +147,7 @@ RC_GTEST_PROP(AdvanceEnergies, LoadsGoOn, ()) {
     RC_ASSERT((total() - before).norm() <= 1e-10 * before.norm());
 }
 
-/// A strip that is pinned at one end, falls and swings, and gets other triangles every third step.
+/// A strip that is pinned at one end, falls and swings, and whose triangles change in every third step.
 class AdvancingStrip {
   public:
     AdvancingStrip(Scheme scheme, bool fails, double damping)
@@ -213,7 +215,7 @@ TEST(AdvanceEnergies, ABalanceOfEnergyCloses) {
         }
 }
 
-// A step that is discarded after a change of the shell keeps the change, and its energy is counted once.
+// If a step is discarded after a change of the shell, the change stays, and its energy must be counted once.
 TEST(AdvanceEnergies, AStepThatIsBegunAgainCountsOnce) {
     AdvancingStrip run(Scheme::implicit_euler, false, 0);
     for (int i = 1; i < 10; ++i) {
@@ -226,7 +228,7 @@ TEST(AdvanceEnergies, AStepThatIsBegunAgainCountsOnce) {
     EXPECT_LT(std::abs(run.stepper->balance().unexplained), 1e-6 * run.largest);
 }
 
-// Equilibria depend on the triangles only by the error of the mesh.
+// With other triangles an equilibrium may change only by the error of the mesh.
 TEST(AdvanceEnergies, StaticsGoOnWithOtherTriangles) {
     BreakableShell sheet({AdvancingStrip::input()});
     StepperOptions options;

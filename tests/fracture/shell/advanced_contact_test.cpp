@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a crack makes other triangles, candidate pairs are searched around it alone. A missed pair lets a
-// sheet pass through itself; a stale pair pushes removed triangles.
+// Where a crack changes triangles, candidate pairs are searched around the crack alone. A missed pair would
+// let a sheet pass through itself; a stale pair would push removed triangles.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

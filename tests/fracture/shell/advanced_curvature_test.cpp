@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sums over patches of hinges must follow a change of triangles in all faces whose patches change. Otherwise
-// a face bends by hinges that are gone or belong to others, or a growing crack costs a pass over all patches
-// of the sheet.
+// Sums over patches of hinges must follow a change of triangles in all faces whose patches change. If they
+// did not, a face would bend by removed hinges or by hinges of other faces, or a growing crack would cost a
+// pass over all patches of the sheet.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -42,7 +42,8 @@ std::vector<MirrorHinge> clamped_rim(const Shell& shell) {
     return mirrors;
 }
 
-/// Sheet of drawn_sheet(), or one so rough that some of its hinges, and not always the same, are creases.
+/// Sheet of drawn_sheet(), or a sheet so rough that some of its hinges, and not always the same, are
+/// creases.
 BreakableShell drawn_or_rough(unsigned shape, unsigned seed) {
     if (shape < test::sheet_shapes) return BreakableShell({test::directed_input(shape, seed)});
     SheetInput input = test::directed_input(0, seed);
@@ -97,7 +98,7 @@ void expect_same_sums(const Shell& shell, const Summed& followed) {
 }
 
 // Sums must depend on the present shell alone and not on its history, to the last bit: also beside clamps
-// that are split, where hinge numbers shift, and where a hinge becomes a crease or ceases to be one.
+// that are split, where hinges get other numbers, and where a hinge becomes a crease or ceases to be one.
 RC_GTEST_PROP(AdvancedCurvature, IsThatOfTheShellAsItIs, ()) {
     const unsigned shape = *rc::gen::inRange(0u, test::sheet_shapes + 4),
                    seed = *rc::gen::inRange(0u, 1u << 30);

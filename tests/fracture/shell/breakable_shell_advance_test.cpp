@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A sheet whose triangles change with a crack must remain the same sheet: otherwise it gains or loses mass or
-// momentum, or bends, stretches or fractures unlike a sheet of these triangles.
+// A sheet whose triangles change with a crack must remain the same sheet. If it did not, it would gain or
+// lose mass or momentum, or bend, stretch or fracture unlike a sheet of these triangles.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -74,8 +74,8 @@ Positions waved(const Positions& rest, double size) {
     return x;
 }
 
-/// Fails an edge wherever more than one has failed: there a failed edge that was cut opens when the next one
-/// fails.
+/// Lets another edge fail at each vertex with more than one failed closed edge. A failed edge that has been
+/// cut there opens then.
 void open_cut_edges(BreakableShell& sheet) {
     for (std::size_t i = 0; i < sheet.mesh().number_of_vertices(); ++i) {
         const Mesh& mesh = sheet.mesh();
@@ -116,7 +116,7 @@ RC_GTEST_PROP(BreakableShellAdvance, IsASheetMadeOfItsMeshWhateverFails, ()) {
     if (test::is_flat_sheet(shape)) RC_ASSERT(std::abs(anew.mechanics().mass.sum() - mass) <= 1e-12 * mass);
 }
 
-// Without cracks even the contact areas are those of the mesh, also at the rim.
+// Without cracks the contact areas, too, must be those of the mesh, also at the rim.
 RC_GTEST_PROP(BreakableShellAdvance, ContactAreasAreThoseOfTheMesh, ()) {
     const unsigned shape = *rc::gen::inRange(0u, test::sheet_shapes), seed = *rc::gen::inRange(0u, 1u << 30);
     const SheetInput input = test::directed_input(shape, seed);
@@ -127,13 +127,13 @@ RC_GTEST_PROP(BreakableShellAdvance, ContactAreasAreThoseOfTheMesh, ()) {
     RC_ASSERT((sheet.mechanics().footprint - anew).cwiseAbs().maxCoeff() <= 1e-12 * anew.maxCoeff());
 }
 
-// Each face of the unfractured mesh must be somewhere, with all of its mass.
+// The parts of each face of the unfractured mesh must have all of its mass together.
 RC_GTEST_PROP(BreakableShellAdvance, KeepsTheMassOfEachFace, ()) {
     const unsigned shape = *rc::gen::inRange(0u, test::sheet_shapes), seed = *rc::gen::inRange(0u, 1u << 30);
     BreakableShell sheet({test::directed_input(shape, seed)});
     test::Advances advances(sheet, seed + 1);
     const std::vector<double> start = sheet.mechanics().face_mass;
-    std::vector<std::map<Index, double>> parts;  // kg of each face of the unfractured mesh
+    std::vector<std::map<Index, double>> parts;  // kg in each face, from each face of the unfractured mesh
     for (std::size_t f = 0; f < start.size(); ++f) parts.push_back({{static_cast<Index>(f), start[f]}});
     for (int i = 0; i < 15; ++i) {
         const auto advanced = advances.next();
@@ -159,7 +159,7 @@ RC_GTEST_PROP(BreakableShellAdvance, KeepsTheMassOfEachFace, ()) {
         RC_ASSERT(std::abs(sums[f] - start[f]) <= 1e-12 * start[f]);
 }
 
-/// Mass, first moment and linear momentum of the vertices of a change.
+/// Mass, kg, first moment, kg m, and linear momentum, kg m/s, of the vertices of a change.
 struct PatchMass {
     double mass = 0;
     Vector3d moment = Vector3d::Zero(), linear = Vector3d::Zero();
@@ -171,9 +171,9 @@ struct PatchMass {
     }
 };
 
-// With a change of momentum fragments would fly or spin. Where a sheet is curved or uneven, other triangles
-// have another centre of mass, and the angular momentum about the origin changes by its displacement;
-// otherwise it stays.
+// If momentum changed, fragments would fly or spin by themselves. Where a sheet is curved or uneven, other
+// triangles have another centre of mass, and the angular momentum about the origin changes by the
+// displacement of this centre; on other sheets it must not change.
 RC_GTEST_PROP(BreakableShellAdvance, KeepsMomentumOfAMovingSheet, ()) {
     const unsigned shape = *rc::gen::inRange(0u, test::sheet_shapes), seed = *rc::gen::inRange(0u, 1u << 30);
     const bool is_bent = *rc::gen::arbitrary<bool>();
@@ -207,8 +207,8 @@ RC_GTEST_PROP(BreakableShellAdvance, KeepsMomentumOfAMovingSheet, ()) {
     }
 }
 
-// If the momentum of held vertices were given to one or two free ones beside them, these would fly off: a
-// window struck by a ball at 5 m/s got a vertex of 10 km/s.
+// If the momentum of held vertices were given to one or two free vertices beside them, these would fly off:
+// a window struck by a ball at 5 m/s got a vertex of 10 km/s.
 RC_GTEST_PROP(BreakableShellAdvance, NothingFliesOffBesideASupport, ()) {
     const unsigned shape = *rc::gen::inRange(0u, test::sheet_shapes), seed = *rc::gen::inRange(0u, 1u << 30);
     BreakableShell sheet({test::directed_input(shape, seed)});
@@ -229,7 +229,7 @@ RC_GTEST_PROP(BreakableShellAdvance, NothingFliesOffBesideASupport, ()) {
 }
 
 // A sheet in translation must keep its velocity exactly, without stretching or bending. With other triangles
-// a rotating sheet gets other moments of inertia, and so slightly different velocities: the momentum stays.
+// a rotating sheet has other moments of inertia, and so slightly different velocities at the same momentum.
 RC_GTEST_PROP(BreakableShellAdvance, ARigidMotionStaysOne, ()) {
     const unsigned shape = *rc::gen::inRange(0u, test::sheet_shapes), seed = *rc::gen::inRange(0u, 1u << 30);
     for (const bool turns : {false, true}) {
@@ -256,7 +256,8 @@ RC_GTEST_PROP(BreakableShellAdvance, ARigidMotionStaysOne, ()) {
     }
 }
 
-// In a plane a linear deformation is the same in all triangles, whatever they are.
+// A linear deformation of a plane is the same in all triangles: it must store the same energy in any
+// triangles.
 RC_GTEST_PROP(BreakableShellAdvance, ALinearDeformationStoresWhatItDid, ()) {
     const unsigned seed = *rc::gen::inRange(0u, 1u << 30);
     SheetInput input = test::directed_input(0, seed);
@@ -276,8 +277,8 @@ RC_GTEST_PROP(BreakableShellAdvance, ALinearDeformationStoresWhatItDid, ()) {
     RC_ASSERT(std::abs(MembraneEnergy(shell.triangles).value(shell.position) - energy) <= 1e-11 * energy);
 }
 
-// Supported vertices and those of lock_vertices() must stay, and the border of a loaded area must remain a
-// line, with its faces on the same side. (On a curved sheet areas are shared in a plane, where the border may
+// Supported vertices and those of lock_vertices() must stay, and the faces of a loaded area must keep its
+// mass on their side of the border. (On a curved sheet areas are shared in a plane, where the border may
 // have a bend.)
 RC_GTEST_PROP(BreakableShellAdvance, WhatIsKeptStays, ()) {
     const unsigned shape = *rc::gen::inRange(0u, test::sheet_shapes), seed = *rc::gen::inRange(0u, 1u << 30);
@@ -316,7 +317,7 @@ RC_GTEST_PROP(BreakableShellAdvance, WhatIsKeptStays, ()) {
     for (const Index v : {0, 7}) RC_ASSERT(shell.velocity.col(v).isZero(0));
 }
 
-/// Flat sheet that is held in its plane, and in its middle in one more direction.
+/// Flat sheet whose vertices are held in its plane, and in its middle also along y.
 BreakableShell held_sheet(unsigned seed) {
     SheetInput input;
     input.mesh = generate_rectangle(1, 1, {0.08, Layout::delaunay, seed});
@@ -333,9 +334,9 @@ BreakableShell held_sheet(unsigned seed) {
     return sheet;
 }
 
-// A sheet that is held in its plane everywhere, as one that may not buckle, must give way to a crack's path
-// like a free one; where it is held otherwise it stays, and inserted vertices are held like those around
-// them.
+// In a sheet that is held in its plane everywhere, like one that may not buckle, vertices must move aside
+// for a crack's path as in a free sheet. Where a region with another support begins they must stay, and
+// inserted vertices must be held like the vertices around them.
 TEST(BreakableShellAdvance, WhatIsHeldAllAlikeMovesAlong) {
     for (const unsigned seed : {1u, 2u, 3u}) {
         BreakableShell sheet = held_sheet(seed);
@@ -360,7 +361,8 @@ TEST(BreakableShellAdvance, WhatIsHeldAllAlikeMovesAlong) {
     }
 }
 
-// A crack that runs into a closed face (lip) of another one must not expose its end to contact.
+// Where a crack runs into a closed crack face (lip) of another crack, its end must not collide with that
+// crack.
 TEST(BreakableShellAdvance, ACrackThatMeetsAClosedCrackFaceHasNoContactThere) {
     SheetInput input;
     input.mesh = test::grid(6, 6);

@@ -44,7 +44,7 @@ void expect_stencils_of_the_mesh(const BreakableShell& sheet) {
     RC_ASSERT(hinges == sheet.mechanics().hinges.size());
 }
 
-// A crack may change nothing but connectivity: mass, rest shape, positions and velocities stay.
+// A crack may change only connectivity: mass, rest shape, positions and velocities must stay.
 RC_GTEST_PROP(BreakableShell, CrackCarriesEverythingOver, ()) {
     static const Mesh disc = generate_disc(0.1, {0.025, Layout::delaunay, 3});
     SheetInput start = input(disc);
@@ -89,7 +89,7 @@ TEST(BreakableShell, WeighsAreaTimesThicknessTimesDensityAndMovesRigidly) {
     EXPECT_EQ(sheet.strength(sheet.edge_of_hinge(0)), 0.5);
 }
 
-// A sheet whose axis is lost or taken for that of a neighbour bends like another material.
+// A sheet whose material axis is lost, or taken for that of another sheet, bends like another material.
 TEST(BreakableShell, HingesAndTrianglesHaveTheStiffnessOfTheirAxis) {
     SheetInput iron = input(test::grid(1, 1)), cloth = input(test::grid(3, 2));
     cloth.material.young1 = 1e8;
@@ -100,7 +100,7 @@ TEST(BreakableShell, HingesAndTrianglesHaveTheStiffnessOfTheirAxis) {
     for (const HingeStencil& stencil : sheet.mechanics().hinges) {
         const HingePositions rest = columns(sheet.mechanics().rest, stencil.vertices);
         const Vector3d edge = rest.col(1) - rest.col(0);
-        const bool is_iron = &stencil == sheet.mechanics().hinges.data();  // an edge between two faces
+        const bool is_iron = &stencil == sheet.mechanics().hinges.data();  // the only hinge of the iron sheet
         const double expected = is_iron
                                     ? hinge_stiffness(iron.material)
                                     : hinge_stiffness(cloth.material, angle - std::atan2(edge.y(), edge.x()));

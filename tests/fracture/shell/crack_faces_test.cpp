@@ -29,7 +29,7 @@ SheetInput strip_input(Layout layout) {
     return strip;
 }
 
-/// Halves of a strip at their original places; each vertex has a velocity of its own.
+/// Two halves of a broken strip at their original places.
 class BrokenStrip {
   public:
     /// step: s.
@@ -53,7 +53,7 @@ class BrokenStrip {
             mechanics.velocity.col(v) = of_vertex(on_left[v], Vector3d(mechanics.position.col(v)));
     }
 
-    /// Makes one step and checks the invariants.
+    /// Makes one step, and checks that it is solved and that no faces intersect.
     void advance() {
         time_step->begin();
         const StepResult result = time_step->solve(50);
@@ -64,7 +64,7 @@ class BrokenStrip {
         expect_no_intersection();
     }
 
-    /// Mean of the positions or velocities of one half, by mass.
+    /// Mean of the positions or velocities `x` of one half, weighted by mass.
     Vector3d mean(const Positions& x, bool of_left) const {
         Vector3d sum = Vector3d::Zero();
         double mass = 0;
@@ -88,7 +88,7 @@ class BrokenStrip {
             x += sheet.mesh().point(v).x() / 3;
         return x < middle;
     }
-    /// Edges between a face of the left half and one of the right.
+    /// Edges between a face of the left half and a face of the right half.
     std::vector<Edge> rim_of_left_half() const {
         const Mesh& mesh = sheet.mesh();
         std::vector<Edge> edges;
@@ -117,7 +117,8 @@ class BrokenStrip {
 
 class BrokenStrips : public ::testing::TestWithParam<Layout> {};
 
-// Pushed together in plane at 1 m/s: the halves must bounce off each other, and keep their momentum.
+// Halves that are pushed together in their plane at 1 m/s must bounce off each other, and keep their
+// momentum.
 TEST_P(BrokenStrips, PushedTogetherInPlaneBounce) {
     BrokenStrip strip(GetParam(), 2e-6);
     strip.set_velocity([](bool left, const Vector3d&) { return Vector3d(left ? 0.5 : -0.5, 0, 0); });
@@ -131,7 +132,8 @@ TEST_P(BrokenStrips, PushedTogetherInPlaneBounce) {
     EXPECT_LT((mechanics.velocity * mechanics.mass - momentum).norm(), 1e-9 * 0.5 * mechanics.mass.sum());
 }
 
-// Moved apart and together again: from then on the barrier acts, and keeps them a thickness apart.
+// When halves have moved apart, the barrier must act from then on, and keep them a thickness apart when they
+// come together again.
 TEST_P(BrokenStrips, AreLeftToTheBarrierOnceApart) {
     BrokenStrip strip(GetParam(), 1e-4);
     strip.set_velocity([](bool left, const Vector3d&) { return Vector3d(left ? -5 : 5, 0, 0); });
@@ -147,8 +149,8 @@ TEST_P(BrokenStrips, AreLeftToTheBarrierOnceApart) {
     EXPECT_LT(strip.mean(strip.sheet.mechanics().velocity, true).x(), 0);
 }
 
-// Folded like a book about the crack, by 180 degrees and more: the crack faces turn on each other, then the
-// halves meet.
+// Halves are folded like a book about the crack, by 180 degrees and more: the crack faces turn on each
+// other, then the halves meet, and nothing may pass.
 TEST_P(BrokenStrips, FoldedOntoEachOtherStayApart) {
     BrokenStrip strip(GetParam(), 1e-4);
     strip.set_velocity([](bool left, const Vector3d& x) {
@@ -159,8 +161,9 @@ TEST_P(BrokenStrips, FoldedOntoEachOtherStayApart) {
     EXPECT_LT(strip.largest_overlap, 0.1 * test::glass.thickness);
 }
 
-// Half a turn apart like scissors: the ends of two crack faces are far from each other, their middles are
-// not. Contact by the barrier once began all the same, and the run ended.
+// The right half is turned by 90 degrees about the strip's axis, so that crack faces cross like scissors:
+// their ends are far from each other, but their middles are near. Contact by the barrier once began all the
+// same, and the run ended.
 TEST(BrokenStrip, CrackFacesThatCrossAreNotLeftToTheBarrier) {
     BrokenStrip strip(Layout::structured, 1e-4);
     Positions& x = strip.sheet.mechanics().position;
@@ -188,8 +191,8 @@ class CutStrip {
   public:
     CutStrip() : sheet({strip_input(Layout::structured)}) { sheet.fail(crack()); }
 
-    /// Makes an edge from the apex of a triangle at a crack face towards this face, at the share `share` of
-    /// its length.
+    /// Makes an edge from the apex of the triangle at a crack face to a point of this face, at the share
+    /// `share` of the face's length.
     void cut(unsigned crack_face, double share) {
         const std::vector<Halfedge> all = crack_faces();
         const Halfedge h = all[crack_face % all.size()];
@@ -201,7 +204,7 @@ class CutStrip {
         options.always_straight = true;
         sheet.advance(apex, end - rest(apex), options);
     }
-    /// Energy, J, of the crack faces with the halves pushed into each other by `overlap` m.
+    /// Energy, J, of the crack faces when the halves are pushed into each other by `overlap` m.
     double energy(double overlap) {
         Shell& shell = sheet.mechanics();
         Positions x = shell.rest;
@@ -212,7 +215,8 @@ class CutStrip {
         return CrackFaceContact(shell.crack_faces).value(x);
     }
     std::size_t crack_face_count() const { return crack_faces().size(); }
-    /// Number of the crack face opposite to this one; cuts leave it, or its first piece, there.
+    /// Number of the crack face opposite to `crack_face`. After a cut of a face, its first piece keeps the
+    /// number.
     unsigned facing(unsigned crack_face) const {
         const std::vector<Halfedge> all = crack_faces();
         for (unsigned other = 0; other < all.size(); ++other)
@@ -247,7 +251,7 @@ class CutStrip {
     BreakableShell sheet;
 };
 
-/// Energy, J, of crack faces of a whole strip that overlap by `overlap` m.
+/// Energy, J, of the crack faces of a strip without cuts that overlap by `overlap` m.
 double energy_of_whole(double overlap) {
     return 0.5 * test::glass.young / 2 * closed_strip_width * overlap * overlap;
 }
@@ -265,8 +269,8 @@ RC_GTEST_PROP(CutStrip, HasCrackFacesAsStiffAsWholeOnes, ()) {
     RC_ASSERT(strip.energy(-overlap) == 0);
 }
 
-// Two cracks that end at one place, on opposite crack faces: up to rounding the pieces have a common end, and
-// each was once half as stiff there, or half as stiff again.
+// Two cracks end at one place on opposite crack faces: up to rounding the pieces of both faces end there.
+// Pieces once had half the stiffness there, or one and a half times as much.
 TEST(CutStrip, HasCrackFacesAsStiffThatAreCutAtOnePlaceFromBothSides) {
     const double overlap = 1e-5, expected = energy_of_whole(overlap);
     const std::size_t whole = CutStrip().crack_face_count();
@@ -278,7 +282,7 @@ TEST(CutStrip, HasCrackFacesAsStiffThatAreCutAtOnePlaceFromBothSides) {
             strip.cut(crack_face, percent / 100.0);
             strip.cut(facing, 1 - percent / 100.0);
             both += strip.crack_face_count() ==
-                    whole + 2;  // otherwise the smallest angle has ended an edge before the crack face
+                    whole + 2;  // not if the bound on angles ended an edge before the crack face
             EXPECT_NEAR(strip.energy(overlap), expected, 1e-9 * expected)
                 << crack_face << " at " << percent << " %";
         }

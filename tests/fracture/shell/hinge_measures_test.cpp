@@ -40,7 +40,8 @@ class HingeMeasuresOfASquare : public testing::Test {
     Positions flat;
 };
 
-// Stretched along x: strain across an edge is the resolved strain, stress that of plane stress.
+// In a sheet that is stretched along x, the strain across an edge must be the resolved strain, and the
+// stress that of plane stress.
 TEST_F(HingeMeasuresOfASquare, ResolveStretchAcrossTheEdge) {
     const double stretch = 2e-4;
     Positions x = flat;
@@ -56,7 +57,8 @@ TEST_F(HingeMeasuresOfASquare, ResolveStretchAcrossTheEdge) {
     }
 }
 
-// Rolled into a cylinder, either way up: curvature, and the stress of its stretched surface.
+// In a sheet that is rolled into a cylinder, up or down, the measures must be the curvature and the stress
+// of the stretched surface.
 TEST_F(HingeMeasuresOfASquare, SeeTheStretchedSurfaceOfABend) {
     const double stress = young / (1 - poisson * poisson) * 0.5 * thickness / 2;
     for (const double curvature : {0.5, -0.5}) {
@@ -103,7 +105,7 @@ TEST_F(HingeMeasuresOfASquare, WhatFacesKeepIsStrainWithoutStress) {
     EXPECT_LT(kept.stress.norm(), 1e-9 * elastic.stress.norm());
 }
 
-// Bending and stretch add up at the surface, and opposite ones must cancel.
+// Bending and stretch must add up at the surface, and must cancel where they are opposite.
 TEST_F(HingeMeasuresOfASquare, AddBendingAndStretch) {
     Positions both = rolled(flat, 0.5);
     const double squeeze = -0.5 * thickness / 2;
@@ -119,7 +121,8 @@ TEST_F(HingeMeasuresOfASquare, AddBendingAndStretch) {
     EXPECT_LT(std::abs(after), 0.1 * before);
 }
 
-// Edges that break by toughness are measured alone. Recordings must not show that.
+// Hinges at edges that break by toughness are measured one by one: recordings must have the same values as
+// if all hinges were measured.
 TEST_F(HingeMeasuresOfASquare, OfASingleHingeAreThoseOfAll) {
     std::vector<Edge> gone;
     for (std::size_t hinge = 5; hinge < sheet->mechanics().hinges.size(); hinge += 40)

@@ -14,7 +14,7 @@ namespace {
 
 using test::tilted_square;
 
-constexpr double half = 0.005;  // m, of the thickness
+constexpr double half = 0.005;  // m, half of the thickness
 constexpr double mass = 10;     // kg
 
 Obstacle floor_at(double height) {
@@ -30,7 +30,8 @@ SimulationOptions on_floor(Scheme scheme, double height) {
     return options;
 }
 
-/// Square at height 0 whose vertices may be as deep in the obstacle below as they start.
+/// Square at height 0 whose vertices may stay in the obstacle below as deep as they start, `depth` m, and
+/// which starts upwards at `speed` m/s.
 BreakableShell sunk(double depth, double speed = 0, bool surface_exempt = false) {
     SheetInput input = tilted_square(0, {0, 0, 0}, 0.25);
     input.velocity = {0, 0, speed};
@@ -58,15 +59,15 @@ TEST(StartDepth, APlateInTheFloorRestsThere) {
     }
 }
 
-// The first substep must be short enough for a contact that weight makes in it: chosen without gravity it
-// threw a plate of 10 kg up at 0.16 m/s.
+// The first substep must be short enough for a contact that weight causes within it: a substep chosen
+// without gravity threw a plate of 10 kg up at 0.16 m/s.
 TEST(StartDepth, APlateThatTouchesTheFloorRestsInExplicitSteps) {
     Simulation simulation({tilted_square(0, {0, 0, half}, 0.25)}, on_floor(Scheme::explicit_differences, 0));
     for (int i = 0; i < 20; ++i) EXPECT_LT(simulation.step().kinetic, 1e-5);
     EXPECT_NEAR(lowest(simulation), half, 1e-6);
 }
 
-// Thrown up, the plate must land on the floor like any other.
+// A plate that is thrown up out of the floor must land on it like any other plate.
 TEST(StartDepth, WhatCameOutStaysOut) {
     Simulation simulation(sunk(1e-3 + half, 0.4), on_floor(Scheme::implicit_euler, 1e-3));
     const double energy = 0.5 * mass * 0.4 * 0.4;

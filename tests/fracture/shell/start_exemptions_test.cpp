@@ -30,7 +30,8 @@ BreakableShell exempt(const std::vector<SheetInput>& inputs) {
     return sheets;
 }
 
-/// Two squares that cross at right angles, the second one `deep` m below the first, to move by `velocity`.
+/// Two squares that cross at right angles, the second one `deep` m below the first; it starts with
+/// `velocity`, m/s.
 std::vector<SheetInput> crossing_squares(const Vector3d& velocity, double deep = 0.53) {
     std::vector<SheetInput> inputs{tilted_square(0, {0, 0, 0}, 0.25),
                                    tilted_square(90, {0.1, 0.43, -deep}, 0.25)};
@@ -57,7 +58,8 @@ TEST(StartExemptions, SheetsThatCrossRestWhereTheyAre) {
     EXPECT_LT(std::abs(report.unexplained), 1e-12);
 }
 
-// The second square, which reaches through one row of faces only, leaves upwards.
+// The second square, which reaches through one row of faces only, leaves upwards: then it must be able to
+// collide again.
 TEST(StartExemptions, TheyPartAndAreSeenFromThenOn) {
     Simulation simulation(exempt(crossing_squares({0, 0, 2}, 0.1)), weightless(1e-2));
     const double energy = 0.5 * 1000 * sheet_thickness * 2 * 2;  // J, of 1 m^2
@@ -72,8 +74,8 @@ TEST(StartExemptions, TheyPartAndAreSeenFromThenOn) {
     EXPECT_TRUE(start_overlaps(simulation.shell()).empty());
 }
 
-// Where neighbours that were apart would have to pass each other, intersecting sheets must be stopped by the
-// contact of these neighbours, and not thrown.
+// Where faces beside the intersection, which were apart at the start, would have to pass each other, their
+// contact must stop the intersecting sheets, and not throw them.
 TEST(StartExemptions, TheirNeighboursStopThem) {
     Simulation simulation(exempt(crossing_squares({0, 0, 2})), weightless(1e-2));
     const double energy = 0.5 * 1000 * sheet_thickness * 2 * 2;

@@ -36,7 +36,8 @@ TEST(Strength, TellsTheRangeOfItsFactorsAndHowManyNeverFail) {
     EXPECT_FALSE(factor_range({}));
 }
 
-// An edge at angle w to the axis is pulled perpendicular to itself. Hankinson's formula between the axes.
+// An edge at an angle to the axis is pulled perpendicular to itself. Between the directions of both axes,
+// the strength must follow Hankinson's formula.
 TEST(Strength, DependsOnTheDirectionOfThePull) {
     Strength strength;
     strength.along = 4;
@@ -65,7 +66,7 @@ TEST(Weibull, HasMeanOneAndTheScatterOfItsModulus) {
     }
 }
 
-/// Mean over many draws of the weakest hinge within a square of 0.2 x 0.2.
+/// Mean, over 400 draws, of the smallest strength factor of a mesh's hinges.
 double mean_weakest(const Mesh& mesh, double modulus, double area) {
     double sum = 0;
     constexpr int draws = 400;
@@ -80,7 +81,8 @@ double mean_weakest(const Mesh& mesh, double modulus, double area) {
     return sum / draws;
 }
 
-// With a reference area, a patch of that area has mean strength 1 on coarse and fine meshes.
+// With a reference area, a patch of that area must have a mean strength factor of 1 on coarse and fine
+// meshes.
 TEST(Weibull, KeepsThePatchStrengthOnEveryMesh) {
     for (const double edge_length : {0.04, 0.01}) {
         const Mesh patch = generate_rectangle(0.2, 0.2, {edge_length, Layout::delaunay, 3});

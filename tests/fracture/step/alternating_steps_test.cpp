@@ -10,7 +10,7 @@
 namespace sherd {
 namespace {
 
-/// A square that falls onto a floor, at an angle, and bounces.
+/// A tilted square that falls onto a floor and bounces.
 struct Fall {
     explicit Fall(double strength = 0) {
         sheet = test::tilted_square(0.5, {-0.5, -0.5, 0.006}, 0.2);
@@ -57,7 +57,7 @@ Course course(const Fall& fall) {
     return all;
 }
 
-// Implicit steps damp a bounce: steps must be explicit during an impact, and only then.
+// Implicit steps damp a bounce: steps must be explicit during an impact, and only during it.
 TEST(AlternatingSteps, AreExplicitWhileSomethingStrikes) {
     Fall fall;
     const Course implicit = course(fall);
@@ -84,7 +84,7 @@ TEST(AlternatingSteps, CrackExplicitly) {
     EXPECT_GT(failures, 0);
 }
 
-/// A square that meets a box so fast that no spring of its stiffness stops it.
+/// A square that meets a box so fast that the springs of explicit contact cannot stop it.
 Fall blow() {
     Fall fall;
     fall.sheet.velocity = {0, 0, -600};
@@ -95,7 +95,8 @@ Fall blow() {
     return fall;
 }
 
-// Otherwise a run with alternating schemes would end at an impact that implicit steps can solve.
+// If implicit steps did not follow explicit steps that fail, a run with alternating schemes would end at an
+// impact that implicit steps can solve.
 TEST(AlternatingSteps, AreImplicitWhereExplicitOnesCannotGoOn) {
     Fall fall = blow();
     fall.options.stepper.scheme = Scheme::explicit_differences;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Otherwise a recording has the stress of other faces, or at another time, than it claims.
+// With errors in the fields of faces, a recording would have the stress of other faces, or of another time,
+// than it claims.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -98,8 +99,8 @@ TEST(FieldsOfRuns, AreNotThereUnlessWanted) {
     EXPECT_EQ(report.gauges[0].stress_top.norm(), 0);
 }
 
-/// Root mean square error of the faces' curvature on a square of side 1 that is bent to a sin(pi x), over the
-/// root mean square of the curvature; without a rim of 0.15, where free edges matter.
+/// Root mean square error of the faces' curvature on a square of side 1 m that is bent to the height a
+/// sin(pi x), over the root mean square of the curvature; without a rim of 0.15 m, where free edges matter.
 double error_of_curvature(BendingModel model, double edge_length) {
     SheetInput square;
     square.mesh = generate_rectangle(1, 1, {edge_length, Layout::delaunay, 5});
@@ -127,7 +128,7 @@ double error_of_curvature(BendingModel model, double edge_length) {
     return std::sqrt(wrong / all);
 }
 
-// Table of docs/theory/bending.md: fields recorded with single hinges must not be taken for stress.
+// Prints a table of docs/theory/bending.md: stress from fields of single hinges must not be trusted.
 TEST(FieldsOfRuns, CurvatureConvergesWithCoupledHingesOnly) {
     double before = 1;
     for (const double edge : {0.1, 0.05, 0.025}) {

@@ -52,7 +52,7 @@ SimulationOptions weightless(double step, BendingModel model) {
 constexpr std::array models{BendingModel::cubic, BendingModel::cubic_2007, BendingModel::nonlinear};
 constexpr std::array names{"cubic", "cubic-2007", "nonlinear"};
 
-/// Largest relative change of the linear momentum over so many steps.
+/// Largest relative change of the linear momentum over `steps` steps.
 double drift(BendingModel model, int steps) {
     Simulation simulation({spinning_bowl()}, weightless(1e-4, model));
     const Vector3d start = linear_momentum(simulation.shell().mechanics());
@@ -69,7 +69,8 @@ TEST(FreeFlight, TenThousandStepsKeepLinearMomentum) {
     EXPECT_LT(change, 1e-9);
 }
 
-// A bending model with a net force would push the bowl; a tenth of the steps, a tenth of the bound.
+// A bending model with a net force would push the bowl. Here are a tenth of the steps above, with a tenth of
+// the bound.
 TEST(FreeFlight, EachBendingModelKeepsLinearMomentum) {
     for (std::size_t m = 0; m < models.size(); ++m) {
         const double change = drift(models[m], 1000);
@@ -78,8 +79,8 @@ TEST(FreeFlight, EachBendingModelKeepsLinearMomentum) {
     }
 }
 
-/// Brings a sheet to equilibrium, which is not its rest shape with cubic-2007, and restores its velocity:
-/// otherwise vibration about the rest shape would be damped away.
+/// Brings a sheet to equilibrium, which with cubic-2007 is not its rest shape, and restores its velocity:
+/// from the rest shape it would vibrate, and the damping of this vibration would count as loss.
 void settle_in_motion(Shell& sheet, StepperOptions options) {
     const Positions motion = sheet.velocity;
     sheet.velocity.setZero();
@@ -88,7 +89,7 @@ void settle_in_motion(Shell& sheet, StepperOptions options) {
     sheet.velocity = motion;
 }
 
-/// Relative losses in a flight of 0.02 s.
+/// Relative losses of a flight of 0.02 s.
 struct Loss {
     double angular_momentum, energy;
 };
@@ -108,7 +109,7 @@ Loss loss(BendingModel model, double step) {
         const PotentialEnergies potential = time_step.energies();
         return kinetic_energy(sheet) + potential.bending + potential.membrane;
     };
-    // about the centre of mass, which moves with the momentum over the mass
+    // angular momentum about the centre of mass, which moves with the momentum over the mass
     const auto spin = [&] {
         const Vector3d centre = sheet.position * sheet.mass / sheet.mass.sum();
         return Vector3d(angular_momentum(sheet) - centre.cross(linear_momentum(sheet)));

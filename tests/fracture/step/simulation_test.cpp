@@ -46,8 +46,8 @@ TEST(Simulation, LinearMomentumFollowsGravityWhileNothingTouches) {
     }
 }
 
-// For a step so long that its inertia is lost beside the stiffness the matrix cannot be factorized; a shorter
-// step must follow, as where iterations do not suffice, and the run must not end.
+// In a step so long that its inertia is lost beside the stiffness, the matrix cannot be factorized: a
+// shorter step must follow, as when iterations do not suffice, and the run must not end.
 TEST(Simulation, AStepWithoutAMatrixIsHalved) {
     SimulationOptions options;
     options.stepper.step = 1e5;
@@ -58,7 +58,7 @@ TEST(Simulation, AStepWithoutAMatrixIsHalved) {
     EXPECT_NEAR(fallen.z(), -9.81 * report.time, 1e-3 * 9.81 * report.time);
 }
 
-// Without gravity and spin a sheet at rest must stay there: a force at rest would set it moving.
+// Without gravity and spin a curved sheet at rest must stay at rest: a force at rest would set it moving.
 TEST(Simulation, CurvedSheetAtRestStaysAtRest) {
     SheetInput tube;
     tube.mesh = generate_cylinder(0.05, 0.1, {0.012, Layout::delaunay, 1});
@@ -182,8 +182,9 @@ TEST(Simulation, HalvesAStepThatCannotBeSolvedAndGoesOn) {
     EXPECT_EQ(largest_after, 1e-3) << "the step has grown back";
 }
 
-/// Strip held at both ends under so great a weight that it falls by half its length within a step of 30 ms
-/// once it may: of `strength` (1/m) across its middle, unbreakable elsewhere.
+/// Strip that is held at both ends, with the strength `strength` (1/m) across its middle and unbreakable
+/// elsewhere. It is so heavy that its halves, once separated, fall by half their length within a step of 30
+/// ms.
 Simulation heavy_strip(double strength) {
     constexpr double length = 0.2, width = 0.04;
     SheetInput strip;
@@ -207,9 +208,9 @@ Simulation heavy_strip(double strength) {
     return Simulation({strip}, options);
 }
 
-// Failures in a step that is then halved belong to the part that was made, and the mesh and its mechanics
-// must stay consistent. Whole, the strip bends little, which 19 iterations find; its halves, which hang down
-// at the end of the step, would take some 250.
+// Failures in a step that is then halved belong to the part of the step that was made, and the mesh and its
+// mechanics must stay consistent. The whole strip bends little, which 19 iterations find; its halves hang
+// down at the end of the step, which would take some 250 iterations.
 TEST(BreakingSimulation, EventsHaveTheTimeOfTheStepThatWasDone) {
     Simulation whole = heavy_strip(INFINITY), simulation = heavy_strip(1e-6);
     const StepReport before = whole.step(), report = simulation.step();

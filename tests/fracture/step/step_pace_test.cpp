@@ -20,8 +20,8 @@ TEST(StepPace, ExplicitStepsBeginWithAStrikeStressOrACrack) {
     EXPECT_EQ(pace.urgency_of(cracking), Urgency::crack);
 }
 
-// A small fragment that lands has little of the largest energy of the run, even if the energy is small by
-// then.
+// Energies are large or small beside the largest energy of the run, also when little is left of it: a small
+// fragment that lands must not count as an impact.
 TEST(StepPace, WhatIsMuchIsOfTheLargestEnergy) {
     StepPace pace;
     StepActivity large = calm;
@@ -30,8 +30,8 @@ TEST(StepPace, WhatIsMuchIsOfTheLargestEnergy) {
     EXPECT_EQ(pace.urgency_of(strike), Urgency::none);
 }
 
-/// Makes explicit steps, four to a whole one, until implicit ones shall follow. Returns the number of whole
-/// steps; 0 after 1000.
+/// Makes explicit steps, four to a whole one, until implicit steps shall follow. Returns the number of whole
+/// steps; 0 if it exceeds 1000.
 int whole_steps_until_quiet(StepPace& pace, const StepActivity& step) {
     for (int whole = 1; whole <= 1000; ++whole)
         for (int i = 0; i < 4; ++i)
@@ -48,7 +48,8 @@ TEST(StepPace, ExplicitStepsEndWhenNothingHasHappenedForSomeWholeSteps) {
     EXPECT_EQ(whole_steps_until_quiet(pace, ringing), 4);
 }
 
-// A shard that lies on a slope has all its energy stored in contact, in every step.
+// A shard that lies on a slope has all its energy stored in contact, in every step, which must not count as
+// an impact.
 TEST(StepPace, ExplicitStepsEndWhereSomethingLiesOrIsPressed) {
     StepPace pace;
     pace.begin_explicit();
@@ -70,7 +71,7 @@ TEST(StepPace, BouncesOfLittleEnergyAreNoBlows) {
     EXPECT_EQ(whole_steps_until_quiet(pace, strike), 4);
 }
 
-// Remaining vibrations are damped by the first implicit steps; this dissipation is no impact.
+// The first implicit steps damp remaining vibrations; this dissipation must not count as an impact.
 TEST(StepPace, FirstImplicitStepsCalmWhatRings) {
     StepPace pace;
     pace.begin_explicit();
@@ -82,7 +83,8 @@ TEST(StepPace, FirstImplicitStepsCalmWhatRings) {
     EXPECT_EQ(pace.urgency_of(strike), Urgency::strike);
 }
 
-// If implicit steps turn out urgent at once, again and again, each further attempt is likely to be wasted.
+// If implicit steps turn out urgent at once, again and again, each further attempt is likely to be wasted:
+// attempts must become rarer.
 TEST(StepPace, TrialsInVainAreMadeLessOften) {
     StepPace pace;
     pace.begin_explicit();
@@ -97,8 +99,8 @@ TEST(StepPace, TrialsInVainAreMadeLessOften) {
     EXPECT_EQ(whole_steps_until_quiet(pace, calm), 4) << "the last trial was not in vain";
 }
 
-// Explicit steps that failed would fail again at once; if none ever followed, all later cracks would
-// propagate in implicit steps.
+// Explicit steps that failed would fail again at once; but if no explicit steps ever followed, all later
+// cracks would propagate in implicit steps.
 TEST(StepPace, ImplicitStepsGoOnForSomeWholeStepsWhereExplicitOnesCannot) {
     StepPace pace;
     for (const int whole_steps : {4, 8, 16, 32, 64, 64}) {

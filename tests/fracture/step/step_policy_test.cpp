@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Attempts at a step after one in vain: if nothing were left too early a run would end, and if attempts
-// repeated themselves it would never end.
+// Attempts at a step that follow an attempt in vain: if they were given up too early, a run would end; if
+// they were repeated unchanged, it would never end.
 #include "fracture/step/step_policy.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ SimulationOptions policy_options(bool alternates) {
     return options;
 }
 
-/// Retries until nothing is left or the scheme changes; returns the number of halvings.
+/// Retries until nothing is left to try or the scheme changes. Returns the number of halvings.
 Index count_halvings(StepPolicy& policy) {
     StepReport report;
     const SchemeChoice before = policy.choice();
@@ -45,7 +45,7 @@ TEST(StepPolicy, TellsWhyAResultIsInVain) {
     EXPECT_EQ(policy.urgency({Outcome::failed}), Urgency::unsolved) << "of an implicit step";
 }
 
-// A shorter step cannot help where sheets overlap.
+// Where a scheme has failed, as where sheets overlap, a shorter step cannot help.
 TEST(StepPolicy, HasNothingLeftWhereASchemeHasFailed) {
     for (const bool alternates : {false, true}) {
         StepPolicy policy(policy_options(alternates), 0);

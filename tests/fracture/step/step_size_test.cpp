@@ -42,7 +42,7 @@ TEST(StepSize, GrowsAfterFourStepsThatSucceed) {
     EXPECT_EQ(step.size(), 512);
 }
 
-// Explicit steps have one length, and end where an implicit step can begin.
+// Explicit steps must all have one length, and end where an implicit step can begin.
 TEST(StepSize, KeepsALengthUntilItMayGrow) {
     StepSize step(1024);
     step.keep(6);
@@ -56,7 +56,7 @@ TEST(StepSize, KeepsALengthUntilItMayGrow) {
     EXPECT_EQ(step.size(), 1024);
 }
 
-// After any failures, no step may cross the end of a nominal one, where frames are recorded.
+// After any failures, no step may cross the end of a nominal step, where frames are recorded.
 RC_GTEST_PROP(StepSize, NeverReachesOverAWholeStep, ()) {
     StepSize step(1024);
     for (int i = 0; i < 300; ++i) {

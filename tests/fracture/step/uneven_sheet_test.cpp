@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Otherwise a sheet of uneven thickness weighs, bends or fractures as one of another thickness.
+// With wrong thicknesses, a sheet of uneven thickness would weigh, bend or fracture like a sheet of another
+// thickness.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -58,7 +59,8 @@ TEST(UnevenSheet, IsRecordedWithTheThicknessOfEachFace) {
                     1e-15);
 }
 
-// A stretched sheet bears the same force everywhere, and most stress where it is thin.
+// Under a uniform strain the stress, the force over the local thickness, must be the same at thick and thin
+// places.
 TEST(UnevenSheet, StressIsForceOverTheLocalThickness) {
     const BreakableShell sheet({tapered_strip()});
     const Shell& shell = sheet.mechanics();

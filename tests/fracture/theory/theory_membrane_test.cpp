@@ -29,13 +29,13 @@ StepperOptions coupled_options(MembraneModel membrane) {
     return options;
 }
 
-/// Position of the point p of a flat sheet that is rolled about an axis along y, below it.
+/// Position of the point p of a flat sheet that is rolled downwards about an axis along y.
 Vector3d rolled_up(const Vector3d& p, double radius) {
     return {radius * std::sin(p.x() / radius), p.y(), radius * (std::cos(p.x() / radius) - 1)};
 }
 
-/// Rectangle as irregular as meshes from elsewhere: a Delaunay mesh whose inner vertices are moved by up to
-/// 0.3 edges along each axis.
+/// Rectangle as irregular as meshes of other programs: a Delaunay mesh whose inner vertices are moved by up
+/// to 0.3 edges along each axis.
 Mesh uneven_rectangle(double width, double height, double edge) {
     Mesh mesh = generate_rectangle(width, height, {edge, Layout::delaunay, 1});
     test::Random random(1);
@@ -50,7 +50,8 @@ Mesh uneven_rectangle(double width, double height, double edge) {
 }
 
 /// Error, %, of the end moments of a strip of length 12, width 4 and rigidity 1 that is rolled into a ring
-/// with its ends held together (by Clapeyron's theorem, from the energy of bending and stretching).
+/// with its ends held together. The moments follow by Clapeyron's theorem from the energy of bending and
+/// stretching.
 double ring_error(double thickness, double edge, MembraneModel membrane) {
     constexpr double length = 12, width = 4, turn = 2 * std::numbers::pi;
     SheetInput input;
@@ -64,7 +65,7 @@ double ring_error(double thickness, double edge, MembraneModel membrane) {
     StepperOptions options = coupled_options(membrane);
     options.shell.mirrors = test::clamp(sheet, test::select(sheet, is_end), 1);
     for (MirrorHinge& hinge :
-         options.shell.mirrors)  // after the turn the tangent is the same, the place differs
+         options.shell.mirrors)  // a full turn leaves the tangents of the ends, and moves their places
         hinge.offset = hinge.normal.dot(Vector3d(sheet.position.col(edge_and_apex(sheet, hinge.side)[0])));
     options.step = 1000;
     test::settle(sheet, options, 8);
@@ -93,7 +94,7 @@ TEST(TheoryMembrane, StripRolledIntoARing) {
 }
 
 /// Eighth of a cylinder with free ends that is pinched by two opposite forces at half its length: radius
-/// 4.953, length 10.35, uneven meshes with `edges` edges around the quarter.
+/// 4.953 m, length 10.35 m, uneven meshes with `edges` edges around the quarter of its circumference.
 class PinchedCylinder {
   public:
     PinchedCylinder(int edges, double thickness, MembraneModel membrane)
@@ -101,20 +102,20 @@ class PinchedCylinder {
         hold_on_planes();
         options.step = 1e3;
         options.tolerance = 1e-10;
-        // The eighth at its corner carries a quarter of the force on the whole cylinder.
+        // Four of the eighths meet under each force: each carries a quarter of it.
         load.dead = point_forces(sheet.mechanics(), std::array{top()},
                                  Vector3d(0, 0, -force / 4 * std::pow(thickness / 0.01548, 3)));
         options.shell.loads = {load};
     }
 
-    /// Deflection, m, of a ring.
+    /// Deflection, m, of a ring as wide as the cylinder is long.
     static double theory() {
         const double rigidity = bending_rigidity({0.01, 0.01548, young, poisson});
         return (std::numbers::pi / 8 - 1 / std::numbers::pi) * force * std::pow(radius, 3) /
                (rigidity * 2 * half_length);
     }
 
-    /// Deflection, m, under a force that grows with the cube of the thickness.
+    /// Deflection, m, of the mesh under a force that grows with the cube of the thickness.
     double deflection() {
         Shell& shell = sheet.mechanics();
         ImplicitStepper stepper(shell, options);
@@ -152,7 +153,7 @@ class PinchedCylinder {
         return BreakableShell({input});
     }
 
-    /// Corner at the top of the cylinder, half way between its ends.
+    /// Vertex at the top of the cylinder, half way between its ends.
     Index top() const {
         Index best = 0;
         const Positions& rest = sheet.mechanics().rest;
@@ -182,8 +183,9 @@ class PinchedCylinder {
     Load load;
 };
 
-// Bent without stretching, like a ring as wide: (pi / 8 - 1 / pi) P R^3 / (D L) under each force. The excess
-// is the anticlastic bending near the free ends, within a distance of the square root of R t.
+// A thin cylinder bends without stretching, like a ring as wide as the cylinder is long: by (pi / 8 - 1 /
+// pi) P R^3 / (D L) under each of two forces P. The excess is the anticlastic bending near the free ends,
+// within a distance of the square root of R t.
 TEST(TheoryMembrane, ThinCylinderPinched) {
     for (const double thickness : {0.01548, 0.001548})
         for (const int edges : {8, 16, 32}) {
@@ -202,8 +204,8 @@ TEST(TheoryMembrane, ThinCylinderPinched) {
         }
 }
 
-/// Compression over Euler's at which a flat strip of length 1 between guided ends buckles, with `edges` edges
-/// along it.
+/// Compression, over Euler's, at which a flat strip of length 1 m between guided ends buckles, with `edges`
+/// edges along it.
 double buckling_factor(int edges, MembraneModel membrane) {
     constexpr double thickness = 0.01, width = 0.25;
     BreakableShell plate = test::flat_plate(1, width, 1.0 / edges, test::unit_plate(0, thickness));
@@ -211,7 +213,7 @@ double buckling_factor(int edges, MembraneModel membrane) {
     for (Index v = 0; v < static_cast<Index>(sheet.mass.size()); ++v)
         sheet.fixed[v] = std::abs(sheet.rest(0, v) - 0.5) > 0.5 - 1e-9;
     ShellEnergies energies(sheet, coupled_options(membrane).shell);
-    const double euler = std::pow(std::numbers::pi * thickness, 2) / 12;  // strain; rigidity over stiffness
+    const double euler = std::pow(std::numbers::pi * thickness, 2) / 12;  // Euler's critical strain
     const auto is_stable = [&](double factor) {
         Positions x = sheet.rest;
         x.row(0) *= 1 - factor * euler;
@@ -237,15 +239,16 @@ TEST(TheoryMembrane, CompressedStripBuckles) {
     for (const int edges : {4, 8, 16, 32}) {
         const double flat = buckling_factor(edges, constant_strain), arcs = buckling_factor(edges, arc);
         std::printf("buckling, %2d edges: constant-strain %.4f, arc %.4f of Euler's\n", edges, flat, arcs);
-        // Arcs have all of the geometric stiffness; chords lack a twelfth of the squared angle of an edge.
+        // Arcs have all of the geometric stiffness; chords lack a share of it, a twelfth of the squared
+        // angle of an edge.
         const double angle = std::numbers::pi / edges;
         EXPECT_NEAR(flat / arcs - 1, angle * angle / 12, 0.25 * angle * angle / 12);
         EXPECT_NEAR(arcs, 1, 2.5 * angle * angle / 12);
     }
 }
 
-/// Elastic energy of a square of side 1 and rigidity 1 whose rim is pushed together along x by a fiftieth,
-/// after it has buckled from a small disorder.
+/// Elastic energy, J, of a square of side 1 m and rigidity 1 N m whose rim is pushed together along x by
+/// 0.02 m, after it has buckled from small random deflections.
 double crushed_energy(int edges, MembraneModel membrane) {
     BreakableShell plate = test::flat_plate(1, 1, 1.0 / edges, test::unit_plate(0.3, 0.005));
     Shell& sheet = plate.mechanics();

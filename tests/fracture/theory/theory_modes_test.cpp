@@ -52,13 +52,15 @@ TEST(TheoryModes, CantileverStrip) {
             EXPECT_NEAR(errors[bending_mode], 0, 16.0 / edges + 1.5) << bending_mode;
         EXPECT_GT(errors[3], 15) << "the twisting mode is known to be stiff: correct docs/theory/bending.md";
         EXPECT_LT(errors[3], 55);
-        // The wall keeps the strip from narrowing, which beam theory neglects.
+        // The wall keeps the strip from narrowing, which beam theory neglects: frequencies are slightly
+        // above it.
         for (const double error : errors_of(BendingModel::coupled, "coupled"))
             EXPECT_NEAR(error, 1, 64.0 / (edges * edges) + 1);
     }
 }
 
-/// Compares squares of side 1 whose boundary is pinned, or clamped, with theory: omega a^2 sqrt(rho t / D).
+/// Compares frequencies, as omega a^2 sqrt(rho t / D), of squares of side 1 whose boundary is pinned or
+/// clamped with theory.
 void expect_square(bool clamped, const std::vector<double>& theory, double bound_of_coupled,
                    double bound_of_cubic) {
     for (const int edges : {10, 20, 40}) {
@@ -83,19 +85,19 @@ void expect_square(bool clamped, const std::vector<double>& theory, double bound
     }
 }
 
-// Navier: pi^2 (m^2 + n^2).
+// Theory: Navier, pi^2 (m^2 + n^2).
 TEST(TheoryModes, SupportedSquarePlate) {
     const double unit = std::numbers::pi * std::numbers::pi;
     expect_square(false, {2 * unit, 5 * unit, 5 * unit, 8 * unit, 10 * unit, 10 * unit}, 800, 600);
 }
 
-// Leissa, J. Sound Vib. 31 (1973), 257-293, with the digits of converged Ritz values.
+// Theory: Leissa, J. Sound Vib. 31 (1973), 257-293, with the digits of converged Ritz values.
 TEST(TheoryModes, ClampedSquarePlate) {
     expect_square(true, {35.985, 73.394, 73.394, 108.217, 131.581, 132.205}, 1600, 800);
 }
 
-// A supported plate of two stiffnesses, along its axes: omega^2 = pi^4 (m^4 + 2 H m^2 n^2 + D2 n^4) of D1 =
-// 1, with Poisson's ratio 0.
+// Theory of a supported plate with two rigidities, D1 = 1 along x and D2 across, and Poisson's ratio 0:
+// omega^2 = pi^4 (m^4 + 2 H m^2 n^2 + D2 n^4), with H = 2 G / Y0.
 TEST(TheoryModes, OrthotropicSquarePlate) {
     const double across = 0.2, shear = 0.16;
     Material material = test::unit_plate(0, 0.01);

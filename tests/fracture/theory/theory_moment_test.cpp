@@ -8,8 +8,8 @@
 namespace sherd {
 namespace {
 
-/// Mean position at rest of the end of a cantilever of length 1 m and rigidity 1 N m under a moment (N m/m)
-/// or a force along -z (N/m) on it.
+/// Mean position of the end of a cantilever of length 1 m and rigidity 1 N m, once it has come to rest under
+/// a moment (N m/m) or a force along -z (N/m) on this end.
 Vector3d tip(double moment, double force) {
     const Material material = test::unit_plate(0, 0.01);
     BreakableShell strip = test::flat_plate(1, 0.25, 0.05, material);
@@ -37,14 +37,14 @@ Vector3d tip(double moment, double force) {
 }
 
 // By the right-hand rule about +y an end moment bends the strip away from its normal, by M l^2 / 2 D. Hinges
-// are too compliant (docs/theory/bending.md): the deflection F l^3 / 3 D by a force shows by how much.
+// are too compliant (docs/theory/bending.md): by how much, the deflection F l^3 / 3 D under a force shows.
 TEST(EdgeMoment, BendsACantileverAsMuchAsAForceDoes) {
     const double by_moment = -tip(0.1, 0).z() / (0.1 / 2), by_force = -tip(0, 0.1).z() / (0.1 / 3);
     EXPECT_NEAR(by_moment, 1, 0.2) << "beside beam theory";
     EXPECT_NEAR(by_moment / by_force, 1, 0.025);
 }
 
-// A moment that is equal at any angle leaves a circular arc.
+// A moment that does not change with the angle of the end must bend the strip to a circular arc.
 TEST(EdgeMoment, BendsACantileverToACircle) {
     const double moment = 0.8, curvature = moment * -tip(0.1, 0).z() / (0.1 / 2);
     const Vector3d end = tip(moment, 0);

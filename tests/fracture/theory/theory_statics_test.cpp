@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// End moment against beam theory, with plain and coupled hinges. The bounds are the measured errors plus a
-// margin. Deflections are cases of `sherd-bench shells`.
+// End moments are compared with beam theory, with plain and coupled hinges. The bounds are the measured
+// errors plus a margin. Deflections are cases of `sherd-bench shells`.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -40,13 +40,14 @@ TEST_P(TheoryStatics, StripRolledByEndMomentsIntoACircle) {
             sheet.position.col(v) << radius * std::sin(angle), sheet.rest(1, v),
                 radius * (1 - std::cos(angle));
         }
-        // The end moments act where the seam holds both ends together with one tangent.
+        // Both ends, which meet in the circle, are clamped with one tangent, and the couples of these clamps
+        // are the end moments.
         StepperOptions options = TheoryStatics::options();
         options.shell.mirrors = test::clamp(
             sheet, test::select(sheet, [](const Vector3d& p) { return std::abs(p.x() - 0.5) > 0.5 - 1e-9; }),
             sheet.hinges.front().stiffness);
         for (MirrorHinge& hinge :
-             options.shell.mirrors)  // after the turn the tangent is the same, the place differs
+             options.shell.mirrors)  // a full turn leaves the tangents of the ends, and moves their places
             hinge.offset =
                 hinge.normal.dot(Vector3d(sheet.position.col(edge_and_apex(sheet, hinge.side)[0])));
         options.step = 2;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Strips cut from an orthotropic sheet at an angle to its first axis. One stiffness per hinge blurs
-// directions, so that its values off the axes are wrong; the test requires the trend and the ends. Coupled
-// hinges must follow the theory.
+// Strips cut from an orthotropic sheet at an angle to its first axis. One stiffness for each hinge blurs
+// directions, so that the rigidity of strips off the axes is wrong; for single hinges the test requires only
+// the trend and the values along both axes. Coupled hinges must follow the theory.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,15 +26,15 @@ Material wooden_plate() {
 struct Rigidities {
     double free;      ///< 1 / S11: narrow, free to curl and twist
     double cylinder;  ///< D11: bent to a cylinder
-    double paper;     ///< eq. 8
+    double paper;     ///< eq. 8 of the paper
 };
 Rigidities theory(double w) {
     const double c = std::pow(std::cos(w), 2), s = std::pow(std::sin(w), 2), ends = c * c + s * s * young1;
     return {1 / (c * c + s * s / young1 + s * c / shear), ends + 4 * shear * s * c, ends + 2 * shear * s * c};
 }
 
-/// Rigidity of a cantilever of length 1 by the sag q L^4 / (8 rigidity) of its tip under its own weight, a
-/// fraction of the thickness: the theory is linear.
+/// Rigidity of a cantilever of length 1 m by the sag q L^4 / (8 rigidity) of its tip under its own weight.
+/// The sag is a fraction of the thickness, since this theory is linear.
 double measured_rigidity(double w, unsigned seed, BendingModel model = BendingModel::cubic) {
     SheetInput input;
     const double edge_length = model == BendingModel::cubic ? 1.0 / 60 : 1.0 / 40;
@@ -60,7 +60,8 @@ double measured_rigidity(double w, unsigned seed, BendingModel model = BendingMo
     return weight / 8 / (tip / count);
 }
 
-// The stiff direction must be along the axis of the input, and the rigidity fall from there.
+// The stiff direction must be along the axis of the input, and the rigidity must fall from there to the soft
+// axis.
 TEST(TheoryStrips, RigidityFallsFromTheStiffAxisToTheSoftOne) {
     std::printf("strip: angle, measured (mean, least, most of 4 meshes), 1/S11, D11, eq. 8\n");
     std::vector<double> measured;
@@ -77,7 +78,7 @@ TEST(TheoryStrips, RigidityFallsFromTheStiffAxisToTheSoftOne) {
                     exact.free, exact.cylinder, exact.paper);
     }
     for (std::size_t i = 1; i < measured.size(); ++i) EXPECT_LT(measured[i], measured[i - 1]);
-    // Much too soft along the stiff axis, a little too stiff along the other.
+    // Single hinges are much too soft along the stiff axis, and a little too stiff along the soft one.
     EXPECT_NEAR(measured.front(), 0.70, 0.04);
     EXPECT_NEAR(measured.back(), 0.225, 0.02);
 }

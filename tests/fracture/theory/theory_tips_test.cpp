@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Crack tips against theory, on three meshes of each size. The bounds are the measured errors plus a margin;
-// the table is in docs/theory/tips.md.
+// Crack tips are compared with theory, on three meshes of each size. The bounds are the measured errors plus
+// a margin; the table is in docs/theory/tips.md.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -52,7 +52,7 @@ void on_three_meshes(double edge_length, MakeSheet make, Visit visit) {
     for (unsigned seed = 1; seed <= 3; ++seed) visit(make(edge_length, seed));
 }
 
-/// Parameter: edges in half a crack length.
+/// Parameter: number of edges along half a crack.
 class TheoryTips : public testing::TestWithParam<int> {
   protected:
     static constexpr double stress = 1e-5;  // over Young's modulus
@@ -77,7 +77,7 @@ class TheoryTips : public testing::TestWithParam<int> {
 INSTANTIATE_TEST_SUITE_P(Sizes, TheoryTips, testing::Values(5, 10));
 INSTANTIATE_TEST_SUITE_P(LongSizes, TheoryTips, testing::Values(20));
 
-// Release rate of a stretched sheet, which decides whether a crack propagates.
+// The release rate of a stretched sheet decides whether a crack propagates.
 TEST_P(TheoryTips, StretchedSheetReleasesItsEnergy) {
     std::vector<Row> rows = rows_of_rings("sqrt(G), membrane, ", GetParam());
     on_meshes(test::cracked_sheet, [&](const test::CrackedSheet& sheet) {
@@ -115,7 +115,7 @@ TEST_P(TheoryTips, BentPlateReleasesItsEnergyAndHasItsFactors) {
     turn.expect(0, 4);
 }
 
-// Directions of cracks that are pulled at an angle.
+// Wrong factors would give cracks that are pulled at an angle a wrong direction.
 TEST_P(TheoryTips, StretchedSheetHasItsFactorsAndDirections) {
     std::map<int, std::vector<Row>> rows;
     for (const int degrees : {0, 30, 60})
@@ -170,9 +170,10 @@ test::CrackedSheet half_slit_sheet(double edge_length, unsigned seed) {
     return test::slit_sheet(edge_length, seed, {-test::half_width, 0});
 }
 
-// Second mode of plates, which an infinite one with an open crack does not have.
+// An infinite plate with an open crack does not have the second mode of plates: here the displacements of
+// the outline prescribe both modes.
 TEST(TheoryTipsOfOutlines, PlateHasTheFactorsOfItsOutline) {
-    constexpr int size = 5;  // to the outline, 6: the only length
+    constexpr int size = 5;  // edges per m; the only other length is the distance to the outline, 6 m
     constexpr double edge_length = 1.0 / size;
     const double t = test::cracked_material.thickness, unit = 1e-5 * t;
     for (const auto& [first, second] : {std::pair(1, 0), {0, 1}, {1, 1}}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Calls into each library of the package: makes a sheet, weighs it and cuts it along all its edges.
+// Calls each library of the package: makes a sheet, weighs it and cuts it along all its edges.
 #include <cmath>
 #include <cstdio>
 #include <vector>

@@ -34,7 +34,7 @@ struct Shape {
     std::function<Mesh(const GenerateOptions&)> generate;
     double area;
     int characteristic;
-    /// Distance of a point from the surface.
+    /// Distance of a point from the surface, m.
     std::function<double(const Vector3d&)> gap;
 };
 
@@ -63,7 +63,8 @@ Shape revolution(const char* name, const std::vector<Vector2d>& profile, int cha
             [profile](const Vector3d& p) { return gap_from_profile(profile, p); }};
 }
 
-/// Sector between the x axis and an angle (degrees); its gap is the distance from the whole surface.
+/// Sector between the x axis and the angle `angle` (degrees); its gap is the distance from the whole surface
+/// of revolution.
 Shape sector(const char* name, const std::vector<Vector2d>& profile, double angle) {
     return {name, [profile, angle](const auto& o) { return generate_revolution(profile, o, angle); },
             area_of_revolution(profile) * angle / 360, 1,
@@ -103,7 +104,7 @@ class EveryShape : public ::testing::TestWithParam<std::size_t> {
     Shape shape = shapes()[GetParam()];
 };
 
-// A generated surface must not be torn, folded or closed.
+// A generated surface must not be torn or folded, nor closed where it should be open.
 TEST_P(EveryShape, IsAManifoldOfTheRightTopologyAndArea) {
     for (const double edge_length : {0.02, 0.05, 0.1}) {
         const Mesh mesh = shape.generate(options(edge_length));
@@ -113,7 +114,7 @@ TEST_P(EveryShape, IsAManifoldOfTheRightTopologyAndArea) {
                                    static_cast<int>(mesh.number_of_faces());
         EXPECT_EQ(characteristic, shape.characteristic);
         EXPECT_EQ(connected_components(mesh).count, 1);
-        // Flat triangles cut off round parts: by about (edge / radius)^2.
+        // Flat triangles cut off a share of about (edge / radius)^2 of a round surface's area.
         const double tolerance = 3 * edge_length * edge_length + 1e-12;
         EXPECT_NEAR(test::mesh_quality(mesh).area / shape.area, 1, tolerance) << edge_length;
     }
@@ -138,7 +139,7 @@ TEST_P(EveryShape, HasItsVerticesOnTheSurface) {
     for (const Vertex v : mesh.vertices()) EXPECT_LT(shape.gap(vector(mesh.point(v))), 1e-12);
 }
 
-// Repeated runs need the same mesh; varied runs a different one.
+// Repeated runs need the same mesh; runs with another seed need a different mesh.
 TEST_P(EveryShape, DependsOnTheSeedAlone) {
     const Mesh first = shape.generate(options(0.05, 7)), again = shape.generate(options(0.05, 7));
     const Mesh other = shape.generate(options(0.05, 8));
@@ -155,7 +156,7 @@ TEST_P(EveryShape, DependsOnTheSeedAlone) {
 INSTANTIATE_TEST_SUITE_P(Generate, EveryShape, ::testing::Range(std::size_t{0}, shapes().size()),
                          [](const auto& info) { return std::string(shapes()[info.param].name); });
 
-// Rows of a lattice would make a sheet bend more easily one way than another.
+// Rows of a lattice would make a sheet bend more easily in one direction than in another.
 TEST(Generate, EdgesOfAFlatSheetPointAllWays) {
     for (const unsigned seed : {1U, 2U, 3U}) {
         EXPECT_LT(test::mesh_quality(generate_rectangle(1, 1, options(0.02, seed))).order, 0.2);
@@ -283,7 +284,7 @@ TEST(Generate, RefusesSizesThatMakeNoMesh) {
     EXPECT_THROW(sector({{1, 0}, {1, 1}}, 361), Error);
 }
 
-// Smallest meshes that a user may request.
+// The coarsest meshes that a user may request must be manifolds of good triangles, too.
 TEST(Generate, CoarseMeshesAreManifoldsToo) {
     for (const Mesh& mesh : {generate_rectangle(1, 1, options(1)), generate_disc(1, options(1)),
                              generate_sphere(1, options(1)), generate_cylinder(1, 1, options(1))}) {

@@ -17,7 +17,8 @@ class Plane final : public Surface {
     Vector2d project(const Eigen::Vector3d& point, const Vector2d&) const override { return point.head<2>(); }
 };
 
-/// Square of side 1 with `side` points on each side and as many rows inside, on a regular grid.
+/// Points on a regular grid in a square of side 1, with `side` edges along each of its sides; points on the
+/// rim come first.
 SurfacePoints square(int side) {
     SurfacePoints points;
     const auto at = [side](int i, int j) { return Vector2d(double(i) / side, double(j) / side); };
@@ -35,8 +36,8 @@ void expect_like_new(MovingDelaunay& moved, const SurfacePoints& points) {
     EXPECT_EQ(moved.triangles(), MovingDelaunay(Plane(), points).triangles());
 }
 
-// Otherwise a generated mesh would differ from a new triangulation of its points, or depend on how they
-// moved. Steps from a hundredth of an edge to ones that invert triangles.
+// If the moved triangulation were not that from scratch, a generated mesh would depend on how its points
+// moved. Points move by distances from a hundredth of an edge up to distances that invert triangles.
 TEST(MovingDelaunay, IsTheTriangulationFromScratch) {
     const Plane plane;
     test::Random random(1);
@@ -56,7 +57,8 @@ TEST(MovingDelaunay, IsTheTriangulationFromScratch) {
     }
 }
 
-// Four corners of a square lie on a circle, where either diagonal is Delaunay.
+// The four corners of a square lie on a circle, so that both diagonals are Delaunay: the moved triangulation
+// must choose the same ones as a triangulation from scratch.
 TEST(MovingDelaunay, TakesTheSameDiagonalsOfSquares) {
     const Plane plane;
     test::Random random(2);

@@ -106,7 +106,8 @@ TEST(Polygon, CornersAndSidesAreExact) {
     EXPECT_EQ(same.number_of_vertices(), mesh.number_of_vertices());
 }
 
-/// Numbers of vertices that coincide with another one, and of those on the line from a to b.
+/// Returns the number of vertices that coincide with another one, and the number of different places that
+/// vertices have on the segment from a to b.
 std::pair<int, int> doubled_and_on(const Mesh& mesh, const Vector2d& a, const Vector2d& b) {
     std::multiset<std::pair<double, double>> places;
     int doubled = 0;
@@ -128,7 +129,8 @@ TEST(Polygon, SlitsAreOpenButForTheirInnerEnds) {
     EXPECT_EQ(on, 9);
     EXPECT_EQ(doubled, 2 * (on - 2));
     const Vector2d rim(0.5, 1), tip(0.5, 0.6);
-    // In the opposite direction, and off the outline by the round-off of a decimal.
+    // The slit is given from its tip to the rim, and its end is off the outline by the round-off of a
+    // decimal.
     const Mesh notch = generate_polygon({rectangle(0, 0, 1, 1), {}, {{tip, rim + Vector2d(0, 1e-9)}}},
                                         {0.05, Layout::delaunay, 1});
     std::tie(doubled, on) = doubled_and_on(notch, tip, rim);

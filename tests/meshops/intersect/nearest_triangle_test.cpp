@@ -10,7 +10,8 @@
 namespace sherd::test {
 namespace {
 
-// A number that did not count omitted triangles would be that of another face.
+// The number must count triangles that are omitted for having no area: without them it would be that of
+// another face.
 TEST(NearestTriangle, HasTheNumberAmongAll) {
     Eigen::Matrix3Xd points(3, 4);
     points << 0, 1, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Otherwise a field made elsewhere arrives shifted, or a damaged file is not noticed.
+// If grids were read wrongly, a field from another program would arrive shifted, or a damaged file would not
+// be noticed.
 #include "meshops/level_set/float_grid.h"
 
 #include <gtest/gtest.h>
@@ -109,7 +110,8 @@ TEST_F(FloatGrid, RefusesAFileCutShort) {
     }
 }
 
-// OpenVDB writes as many bytes as the file's length says, past the end of its memory.
+// OpenVDB trusts the lengths of compressed data in a file: with a wrong length it would write past the end
+// of its memory.
 TEST_F(FloatGrid, RefusesLengthsThatOpenVdbBelieves) {
     openvdb::initialize();
     openvdb::io::File writer(file.string());
@@ -117,8 +119,8 @@ TEST_F(FloatGrid, RefusesLengthsThatOpenVdbBelieves) {
     writer.write(openvdb::GridPtrVec{plane_grid("plane")});
     writer.close();
     const std::string whole = directory.contents().at(file.string());
-    // Data compressed by zlib begin with this letter, after their length in 8 bytes; a negative length: not
-    // compressed.
+    // Data compressed by zlib begin with this letter, after their length in 8 bytes; a negative length says
+    // that the data are not compressed.
     const std::string behind_length = std::string(6, '\0') + 'x';
     int lengths = 0;
     for (std::size_t at = 0; (at = whole.find(behind_length, at)) != std::string::npos; ++at, ++lengths) {

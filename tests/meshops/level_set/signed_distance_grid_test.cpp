@@ -32,7 +32,8 @@ std::filesystem::path write_sphere(const TemporaryDirectory& directory, openvdb:
     return write_vdb(directory.path / "ball.vdb", {grid});
 }
 
-/// Expects distances and gradients of a sphere within `tolerance`, outside its innermost part.
+/// Expects the distances and gradients of a sphere around `centre` within `tolerance` (m), outside its
+/// innermost part.
 void expect_sphere(const SignedDistanceGrid& grid, const Vector3d& centre, double tolerance) {
     Random random(7);
     for (int i = 0; i < 2000; ++i) {
@@ -44,7 +45,7 @@ void expect_sphere(const SignedDistanceGrid& grid, const Vector3d& centre, doubl
     }
 }
 
-// Facets of 1 cm on a sphere of 10 cm lie up to 0.2 mm below it.
+// Facets of 1 cm on a sphere of 10 cm lie up to 0.2 mm below it, which the tolerance allows.
 TEST(SignedDistanceGrid, AMeshOfASphereIsASphere) {
     const SignedDistanceGrid grid = SignedDistanceGrid::of_mesh(sphere_mesh(), voxel, 0.002);
     expect_sphere(grid, Vector3d::Zero(), 4e-4);
@@ -54,7 +55,7 @@ TEST(SignedDistanceGrid, AMeshOfASphereIsASphere) {
     EXPECT_LT((grid.upper() - Vector3d::Constant(radius + voxel)).norm(), 2e-3);
 }
 
-// OpenVDB's own error gives no remedy.
+// OpenVDB's own error names no remedy: the message must name voxels that are large enough.
 TEST(SignedDistanceGrid, VoxelsThatOpenVdbDoesNotTakeAreNamed) {
     const Mesh small = generate_sphere(2e-4, {.edge_length = 5e-5});
     EXPECT_EQ(message_thrown_by([&] { SignedDistanceGrid::of_mesh(small, 1e-5, 1e-5); }),
@@ -71,7 +72,8 @@ TEST(SignedDistanceGrid, DerivativesAreThoseOfTheInterpolatedDistance) {
     const auto gradient = [&](const Vector3d& x) { return grid.sample(x).gradient; };
     for (int i = 0; i < 300; ++i) {
         const Vector3d at = radius * random.uniform(0.1, 1.02) * random.matrix<Vector3d>(1).normalized();
-        // Between two half voxels the spline is one polynomial; only there it has a second derivative.
+        // The spline is one polynomial between neighbouring planes half-way between voxel centres. Its
+        // second derivative jumps at these planes: points near them are skipped.
         const Vector3d place = at / voxel + Vector3d::Constant(0.5);
         const Vector3d within = place.array() - place.array().floor();
         if (within.minCoeff() < 0.01 || within.maxCoeff() > 0.99) continue;
@@ -96,7 +98,8 @@ TEST(SignedDistanceGrid, ALevelSetIsTakenAsItIsScaledAndFilled) {
     }
 }
 
-// The values of Houdini or Blender must be used, in a rotated and moved grid, even if they are no distance.
+// The values in files of Houdini or Blender must be used unchanged, in a rotated and moved grid, even if
+// they are no true distances.
 TEST(SignedDistanceGrid, VoxelsOfALevelSetAreTakenAsTheyAre) {
     const TemporaryDirectory directory;
     openvdb::initialize();
@@ -135,13 +138,14 @@ TEST(SignedDistanceGrid, WhatIsNoSolidIsRefused) {
     EXPECT_NE(open.find("it is open"), std::string::npos) << open;
 }
 
-// OpenVDB's exceptions would end a run without the name of the file; and NaN would keep it computing forever.
+// OpenVDB's exceptions would end a run without the name of the file; and NaN would keep a run computing for
+// ever.
 TEST(SignedDistanceGrid, ADamagedTransformIsRefused) {
     const TemporaryDirectory directory;
     const auto file = write_sphere(directory, openvdb::GRID_LEVEL_SET);
     const std::string whole = directory.contents().at(file.string());
     const std::string map = "UniformScaleTranslateMap";
-    const std::size_t at = whole.find(map) + map.size(), size = 24;  // first of its vectors
+    const std::size_t at = whole.find(map) + map.size(), size = 24;  // `at`: first of the map's vectors
     ASSERT_LT(at, whole.size());
     for (const char byte : {'\0', '\xff'}) {
         std::string damaged = whole;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A picture of faults must colour what the reader refuses.
+// A picture of faults must colour the triangles that the reader refuses.
 #include "meshops/read_write/mesh_faults.h"
 
 #include <gtest/gtest.h>

@@ -17,13 +17,13 @@
 namespace sherd::test {
 namespace {
 
-using Generator = std::mt19937;  // same numbers on every platform, unlike its distributions
+using Generator = std::mt19937;  // gives the same numbers on every platform, unlike std's distributions
 
 std::size_t below(Generator& random, std::size_t count) {
     return random() % count;
 }
 
-/// Words with a meaning in any of these formats.
+/// Words with a meaning in any of the mesh formats.
 const std::vector<std::string> words{"-1",
                                      "nan",
                                      "inf",
@@ -80,7 +80,7 @@ std::string mutated(std::string text, Generator& random) {
     return text;
 }
 
-/// File names, which determine the format, and small files.
+/// Names of mesh files, which determine the format, and their contents.
 std::vector<std::pair<std::string, std::string>> originals() {
     TriangleSheet sheet = triangle_sheet(octahedron());
     const std::string stl = stl_bytes(sheet), off = mesh_bytes(sheet, "a.off");
@@ -115,7 +115,7 @@ TEST(MutatedMesh, IsAnErrorOrAMesh) {
         Generator random(14);
         for (int i = 0; i < 400; ++i) {
             const std::string text = mutated(original, random);
-            // If a signal ends the test, the input remains there, and the number here.
+            // If a signal ends the test, the input stays in `directory`; other failures tell its number.
             SCOPED_TRACE(name + " " + std::to_string(i));
             const auto file = directory.write(name, text);
             try {

@@ -74,7 +74,7 @@ TEST(Off, BinaryFilesAreReadAndNotBelieved) {
     EXPECT_EQ(soup.polygons, (Polygons{{0, 1, 2}}));
     for (std::size_t size = 0; size < bytes.size(); ++size)
         EXPECT_NE(off_failure(bytes.substr(0, size)), "no error") << size;
-    for (const std::size_t at : {12, 16, 108}) {  // vertices, faces, corners of the face
+    for (const std::size_t at : {12, 16, 108}) {  // places of the numbers of vertices, faces and corners
         std::string many = bytes;
         many.replace(at, 4, "\x7f\xff\xff\xff");
         EXPECT_NE(off_failure(many).find("truncated"), std::string::npos) << at << off_failure(many);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Seams that are nearly closed, and vertices on edges that they do not divide: reported, or joined on
-// request.
+// Seams that are nearly closed, and vertices that lie on edges without dividing them, must be reported, or
+// joined on request.
 #include <gtest/gtest.h>
 
 #include "meshops/attributes.h"
@@ -18,7 +18,7 @@ ReadMeshOptions joining(double distance) {
     return {.repair = Repair::all, .join_distance = distance};
 }
 
-/// Two quads side by side; the second one's vertices are `gap` away.
+/// Two quads side by side; the second begins at x = 1 + `gap`, where `gap` is given as its decimals.
 std::string two_quads(const std::string& gap) {
     return test::square + "v 1" + gap + " 0 0\nv 2 0 0\nv 2 1 0\nv 1" + gap + " 1 0\nf 1 2 3 4\nf 5 6 7 8\n";
 }
@@ -53,7 +53,8 @@ TEST_F(OpenSeams, NearlyJoinedEdgesAreJoinedWhereThatIsAskedFor) {
               6U);
 }
 
-/// Quad below another one of twice the width, whose upper edge has an additional vertex.
+/// Quad of width 2 above two quads of width 1, whose common vertex lies on the quad's lower edge without
+/// dividing it.
 const std::string tee =
     "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nv 0 -1 0\nv 1 -1 0\nv 2 -1 0\nv 1 0 0\n"
     "vt 0 0\nvt 2 0\nvt 2 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\nf 5 6 8 1\nf 6 7 2 8\n";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Accepted PLY files, and messages for invalid ones: otherwise a user searches a header of ten lines for a
-// misspelt word, or the program allocates a billion vertices that are not there.
+// Accepted PLY files, and messages for invalid ones. Without good messages a user would search a header of
+// ten lines for a misspelt word, or the program would allocate a billion vertices that are not there.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -163,8 +163,8 @@ TEST(Ply, NumbersThatAreNoneAreNamedByTheirVertex) {
               "a.ply:12: vertex 1: a coordinate is NaN or infinite");
 }
 
-// Properties belong to the vertices in the order of the file, whatever their type; a message about an unknown
-// name must list the known ones.
+// Properties must belong to the vertices in the order of the file, whatever their type; a message about an
+// unknown name must list the known names.
 TEST(Ply, PropertiesOfVerticesAreReadByName) {
     const std::string with =
         replaced(replaced(good, "property float z\n",
@@ -200,7 +200,8 @@ TEST(Ply, StripsOfTrianglesAreReadWhereThereAreNoFaces) {
               "a.ply:16: face 0: index out of range: there is no vertex 9, the file has 6 (numbered from 0)");
 }
 
-// Programs write colours in any type, with values from 0 to 255 in all of them.
+// Programs write colours in any type of number, often with values from 0 to 255: the largest value must tell
+// the scale.
 TEST(Ply, TheLargestColourTellsWhatFullLightIs) {
     const auto content_of = [](const std::string& type, const std::string& colours) {
         std::string content = good;
@@ -219,13 +220,13 @@ TEST(Ply, TheLargestColourTellsWhatFullLightIs) {
     EXPECT_EQ(first_colour("ushort", "65535 257 0"), (Colour{255, 1, 0, 255}));
     EXPECT_EQ(first_colour("float", "1 0.2 0"), (Colour{255, 51, 0, 255}));
     EXPECT_EQ(first_colour("float", "1.5 0.2 nan"), (Colour{255, 51, 0, 255})) << "brighter than white";
-    // Without this rule a map of 0 to 255 would be 1 everywhere.
+    // Without this rule a map with values from 0 to 255 would be 1 everywhere.
     for (const char* type : {"uchar", "float"})
         EXPECT_EQ(parse_ply_property("a.ply", content_of(type, "204 51 0"), "red")[0], 0.8) << type;
     EXPECT_EQ(parse_ply_property("a.ply", content_of("float", "0.75 0 0"), "red")[0], 0.75);
 }
 
-// Otherwise a painted scan would lose or change its colours in a run.
+// If colours were not read or not written, a painted scan would lose them in a run.
 TEST(Ply, ColoursOfVerticesAndFacesAreReadAndWrittenAgain) {
     std::string content = replaced(good, "property float z\n",
                                    "property float z\nproperty uchar red\nproperty uchar green\n"
@@ -251,7 +252,8 @@ TEST(Ply, ColoursOfVerticesAndFacesAreReadAndWrittenAgain) {
     }
 }
 
-// Two of three components belong to something else, such as a measured value.
+// A single component of a colour, without the other two, belongs to something else, such as a measured
+// value.
 TEST(Ply, APartOfAColourIsNone) {
     EXPECT_TRUE(parse(replaced(replaced(good, "property float z\n", "property float z\nproperty uchar red\n"),
                                "0 0 0\n1 0 0\n0 1 0\n", "0 0 0 1\n1 0 0 1\n0 1 0 1\n"))

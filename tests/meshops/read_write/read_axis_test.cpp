@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Otherwise the axes of a mesh file are assigned to the wrong faces.
+// If axes were read wrongly, the axes in a mesh file would belong to wrong faces.
 #include <gtest/gtest.h>
 
 #include "meshops/attributes.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Otherwise a scene's supports and loads act on a wrong part of the mesh.
+// With wrong groups, a scene's supports and loads would act on a wrong part of the mesh.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ Mesh read(const std::string& text, const ReadMeshOptions& options = {}) {
     return read_mesh(directory.write("strip.obj", text), options, warnings);
 }
 
-/// Smallest and largest x of the vertices in the group; {} without any.
+/// Smallest and largest x of the vertices in the group; empty if there are none.
 std::vector<double> extent(const Mesh& mesh, const std::string& group) {
     std::vector<double> x;
     for (const Vertex v : mesh.vertices())

@@ -83,7 +83,8 @@ TEST_F(ReadMesh, ReadsWhatObjFilesHold) {
     EXPECT_EQ(texture[Face(1)][2], Eigen::Vector2d(1, 0));
 }
 
-// The system refuses to search for such a name, which differs from a missing file.
+// For a name that is too long the system reports another error than for a missing file: it must give the
+// same warning.
 TEST_F(ReadMesh, TellsOfMaterialsWhoseNameIsTooLong) {
     const std::string library = "mtllib " + std::string(300, 'm') + "\n" + test::square;
     read("a.obj", library + "usemtl red\nf 1 2 3\nf 1 3 4\n");
@@ -119,7 +120,7 @@ TEST_F(ReadMesh, TriangulatesPolygons) {
     const Mesh side = read("side.obj", test::square + "v 0.5 0 0\nv 0.5 1 0\nf 1 5 2 3 6 4\n");
     EXPECT_EQ(side.number_of_faces(), 4U);
     EXPECT_GT(test::mesh_quality(side).smallest_angle, 20);
-    // Bent: the two halves are planar, the whole is not.
+    // A bent polygon: its two halves are planar, the whole is not.
     EXPECT_EQ(read("bent.obj", test::square + "v 0.5 -0.5 1\nf 1 5 2 3 4\n").number_of_faces(), 3U);
     // A hole that is connected by a bridge in both directions, as CAD programs write faces with holes.
     const std::string ring = test::square + "v 3 0 0\nv 3 3 0\nv 0 3 0\nv 1 2 0\nv 2 1 0\nv 2 2 0\nv 1 1 0\n";
@@ -131,11 +132,12 @@ TEST_F(ReadMesh, TriangulatesPolygons) {
     expect_failure("eight.obj", test::square + "v 2 0 0\nv 2 2 0\nf 1 3 4 1 5 6\n", "crosses");
     expect_failure("bow.obj", test::square + "f 1 2 4 3\n", "crosses or touches itself");
     expect_failure("star.obj", "v 0 0 0\nv 4 3 0\nv 0 3 0\nv 4 0 0\nv 2 5 0\nf 1 2 3 4 5\n", "crosses");
-    // Two sides that run back along others, so that there are as many triangles between sides as in a
-    // polygon.
+    // Two sides run back along other sides, so that the number of triangles between the sides is that of a
+    // valid polygon.
     expect_failure("spikes.obj", "v 0 0 0\nv 2 0 0\nv 1 0 0\nv 1 1 0\nv 2 1 0\nv 0 1 0\nf 1 2 3 4 5 6\n",
                    "crosses");
-    // Warped so much that a side has no length along the axis nearest to the polygon's normal.
+    // The polygon is warped so much that one side is parallel to the axis nearest to the polygon's normal:
+    // projected along this axis, the side has no length.
     expect_failure("folded.obj", "v 0 1 0\nv 0 0 0\nv 0 0 1\nv 1 1 1\nv 2 2 2\nv 3 2 2\nf 1 2 3 4 5 6\n",
                    "crosses");
 }
@@ -145,7 +147,7 @@ TEST_F(ReadMesh, TurnsTheFewerFacesOver) {
     const Mesh mesh = read("a.obj", strip + "f 1/1 3/2 2/3\nf 1/1 3/1 4/1\nf 2/1 5/1 3/1\nf 5/1 6/1 3/1\n");
     EXPECT_EQ(triangles(mesh), (Triangles{{0, 1, 2}, {0, 2, 3}, {1, 4, 2}, {4, 5, 2}}));
     const auto texture = find_property(mesh, attribute::texture).first;
-    EXPECT_EQ(texture[Face(0)][1], Eigen::Vector2d(0, 1));  // moves with the corner
+    EXPECT_EQ(texture[Face(0)][1], Eigen::Vector2d(0, 1));  // texture moves with the corner
     expect_warning("1 face was turned over");
     EXPECT_EQ(warnings.size(), 1U);
 }
@@ -216,7 +218,8 @@ TEST_F(ReadMesh, NamesTheNonManifoldEdgeOrSeparatesIt) {
     expect_warning("1 non-manifold edge was separated");
 }
 
-// Both ends of the non-manifold edge are joined all round: cutting at the edge alone would not suffice.
+// Both ends of the non-manifold edge are joined all round by other faces: cutting at the edge alone would
+// not suffice.
 TEST_F(ReadMesh, SeparatesAWingOnAClosedSurface) {
     const std::string text =
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 -1\n"
@@ -343,7 +346,7 @@ std::filesystem::path shared_meshes() {
     return std::filesystem::path(__FILE__).parent_path() / "../../../shared/data";
 }
 
-// Files of modelling programs differ from those written for tests.
+// Files of modelling programs differ from files that were written for tests.
 TEST(ReadRealMeshes, AreManifoldsWithTheirAreaKept) {
     if (!std::filesystem::is_directory(shared_meshes())) {
         GTEST_SKIP() << "NO REAL MESHES READ: set SHERD_TEST_MESHES to a folder that has some";

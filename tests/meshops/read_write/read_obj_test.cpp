@@ -67,7 +67,8 @@ TEST_F(ReadObj, FindsMaterialsByTheNamesThatExportersWrite) {
     EXPECT_NE(material[Face(0)]->definition.find("Kd 1 0 0"), std::string::npos);
 }
 
-// Names are written to scenes, HDF5, XML and JSON, which are UTF-8: others would end a run at its export.
+// Names are written to scenes, HDF5, XML and JSON, which are UTF-8: other names would end a run at its
+// export.
 TEST_F(ReadObj, TakesNamesThatAreNotUtf8ForLatin1) {
     directory.write("a.mtl", "newmtl gr\xFCn\nKd 0 1 0\n");
     for (const std::string name : {"gr\xFCn", "gr\xC3\xBCn"}) {

@@ -21,7 +21,7 @@ const std::string two_facets = facet_of("vertex 0 0 0\nvertex 1 0 0\nvertex 1 1 
                                facet_of("vertex 0 0 0\nvertex 1 1 0\nvertex 0 1 0\n");
 const std::string whole_stl = "solid a\n" + two_facets + "endsolid a\n";
 
-/// Faces of the square below a header with the count `count`.
+/// Binary STL file with the two faces of a square, whose header has `count` as the number of faces.
 std::string stl_of(std::uint32_t count, const std::string& header = "solid") {
     std::string result = header + std::string(80 - header.size(), ' ');
     const auto append = [&](std::uint32_t word) {
@@ -47,7 +47,8 @@ std::string in_capitals(std::string words) {
     return words;
 }
 
-// A reader of lines, or of "solid" in the first bytes alone, would lose the file or half of it.
+// Programs differ in line breaks, capitals and the words around facets. A reader that expected certain
+// lines, or that took a file for a text only if it begins with "solid", would lose the file or half of it.
 TEST_F(ReadStl, ReadsTextsHoweverTheyAreSetOut) {
     for (const std::string& set_out :
          {whole_stl, "\xEF\xBB\xBF" + whole_stl, in_capitals(whole_stl),
@@ -67,8 +68,8 @@ TEST_F(ReadStl, ReadsTextsHoweverTheyAreSetOut) {
     expect_failure("two.stl", two, "truncated");
 }
 
-// Streaming exporters leave the initial count, and others count wrongly: a part of the sheet would be missing
-// without a message.
+// Streaming exporters leave the initial count, and other exporters count wrongly: with the count of the
+// header a part of the sheet would be missing without a message.
 TEST_F(ReadStl, TakesTheTrianglesThatAreThere) {
     EXPECT_EQ(triangles(read("a.stl", stl_of(2))), square_faces);
     EXPECT_TRUE(warnings.empty());

@@ -34,7 +34,7 @@ TriangleSheet two_triangles() {
     return sheet;
 }
 
-// An exported sheet must be the same when it is read again, to the last bit.
+// A sheet that is exported and read again must be the same to the last bit.
 TEST(WriteMesh, ReadsBackBitForBit) {
     const test::TemporaryDirectory directory;
     const Mesh mesh = generate_sphere(0.1, {0.02, Layout::delaunay, 3});
@@ -58,7 +58,7 @@ TEST(WriteMesh, KeepsTextureAndExtremeNumbersInObj) {
     EXPECT_EQ(again.look.texture, sheet.look.texture);
 }
 
-// Readers of objects assume that each has its own points.
+// Programs that read objects assume that each object has its own points.
 TEST(WriteMesh, MakesAnObjObjectOfEachGroup) {
     const test::TemporaryDirectory directory;
     TriangleSheet sheet = two_triangles();
@@ -86,7 +86,7 @@ TEST(WriteMesh, WritesEveryPropertyToPly) {
          {"property int fragment\n", "property double quality\n", "property list uchar float texcoord\n"}) {
         EXPECT_NE(text.find(line), std::string::npos) << line;
     }
-    // header, points, and of each triangle: 3 and its points, fragment, quality, 6 and texture
+    // header, points, and for each triangle: 3 and its points, fragment, quality, 6 and texture
     EXPECT_EQ(text.size(), text.find("end_header\n") + 11 + 4 * 24 + 2 * (1 + 12 + 4 + 8 + 1 + 24));
     EXPECT_EQ(triangle_sheet(read(directory.path / "a.ply")).triangles, sheet.triangles);
 }

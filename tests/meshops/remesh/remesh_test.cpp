@@ -37,7 +37,7 @@ GenerateOptions structured(double edge_length) {
     return {edge_length, Layout::structured, 1};
 }
 
-// Finer and coarser than the input, with straight borders that end in corners.
+// A rectangle becomes finer and coarser than the input; its straight borders must still end in its corners.
 TEST(Remesh, KeepsAreaAndCornersOfARectangle) {
     for (const double edge_length : {0.03, 0.15}) {
         const Mesh mesh = remesh(generate_rectangle(1, 1, structured(0.07)), {edge_length}).mesh;
@@ -53,7 +53,7 @@ TEST(Remesh, KeepsAreaAndCornersOfARectangle) {
     }
 }
 
-/// Bowl of two walls, 0.3 mm apart.
+/// Bowl with a double wall, whose two surfaces are 0.3 mm apart.
 Mesh double_bowl(double edge_length) {
     std::vector<Eigen::Vector2d> profile;
     for (const auto& [radius, from, to] : {std::array{0.05, 0.0, 1.0}, std::array{0.0497, 1.0, 0.0}})
@@ -65,7 +65,8 @@ Mesh double_bowl(double edge_length) {
     return generate_revolution(profile, {edge_length, Layout::delaunay, 1});
 }
 
-// Triangles of 12 mm deviate from the bowl by more than the distance of its walls.
+// Triangles of 12 mm deviate from the bowl by more than the distance of its walls: where they would cross,
+// the old faces must stay.
 TEST(Remesh, ThinWallsThatWouldCrossStay) {
     const Mesh bowl = double_bowl(0.004);
     ASSERT_TRUE(self_intersections(bowl).empty());
@@ -76,7 +77,8 @@ TEST(Remesh, ThinWallsThatWouldCrossStay) {
     EXPECT_TRUE(result.mesh.is_valid(false));
 }
 
-// Flat triangles cost solvers iterations and explicit steps substeps; these shapes require none.
+// Flat triangles cost solvers iterations and explicit steps substeps; a sphere and a square require no flat
+// triangles.
 TEST(Remesh, MakesNoSmallAngles) {
     for (const double edge_length : {0.02, 0.05, 0.12}) {
         const Mesh ball = generate_sphere(0.3, {0.04, Layout::delaunay, 1});
@@ -93,7 +95,7 @@ TEST(Remesh, TakesTheOrderFromAGrid) {
     EXPECT_LT(test::mesh_quality(remesh(in, {0.04}).mesh).order, 0.1);
 }
 
-/// Plate of 0.4 x 0.1 m that ends in a quarter of a tube of this radius (m).
+/// Plate of 0.4 m x 0.1 m that is bent by 90 degrees in its middle, with the radius `radius` (m).
 Mesh hook(double radius) {
     Mesh mesh = generate_rectangle(0.4, 0.1, structured(0.005));
     const double bent = radius * std::numbers::pi / 2;
@@ -117,7 +119,7 @@ TEST(Remesh, EdgesAreShorterWhereItIsCurved) {
     EXPECT_GT(test::mesh_quality(adaptive.mesh).smallest_angle, 20);
 }
 
-// Scanners' noise bends edges, but must not count as creases to be kept.
+// The noise of scanners bends edges, but must not count as creases that are kept.
 TEST(Remesh, NoiseIsNoFeature) {
     Mesh ball = generate_sphere(0.1, {0.004, Layout::delaunay, 1});
     Random random(1);
@@ -131,7 +133,7 @@ TEST(Remesh, NoiseIsNoFeature) {
     EXPECT_GT(test::mesh_quality(result).smallest_angle, 20);
 }
 
-// Between creases the surface is flat: a vertex that slips over an acute one folds the triangles there.
+// Between creases the surface is flat: a vertex that slips over a sharp crease folds the triangles there.
 TEST(Remesh, VerticesStayOnTheirSideOfCreases) {
     Mesh blade;  // flat pyramid of three sides
     const Vertex a = blade.add_vertex(Point(0, 0, 0)), b = blade.add_vertex(Point(1, 0, 0)),
@@ -165,7 +167,8 @@ TEST(Remesh, KeepsHandles) {
     EXPECT_LT(result.mesh.number_of_faces(), ring.number_of_faces());
 }
 
-// The result must include its distance from the input: a sphere of chords is inside by their rise.
+// The result must tell its distance from the input: triangles with corners on a sphere lie inside it by
+// their rise.
 TEST(Remesh, TellsItsDistance) {
     const double radius = 0.1, edge = 0.03;
     const Remeshed coarse = remesh(generate_sphere(radius, {0.005, Layout::delaunay, 1}), {edge});
@@ -176,7 +179,8 @@ TEST(Remesh, TellsItsDistance) {
     EXPECT_LT(remesh(cube(), {0.1}).distance, 1e-9) << "a box of planes keeps its shape";
 }
 
-// Existing intersections come from the file: remeshing must neither stop nor keep all these faces.
+// Intersections in the input come from the file: remeshing must neither stop at them nor keep all the faces
+// there.
 TEST(Remesh, WhatCrossesBeforeMayCrossAfter) {
     Mesh two = cube();
     Mesh other = cube();
@@ -191,8 +195,8 @@ TEST(Remesh, WhatCrossesBeforeMayCrossAfter) {
     EXPECT_EQ(result.crossings, 0u);
 }
 
-// A scan that intersects itself in three places would come out with forty, and with edges a hundredth of the
-// requested length, for which explicit steps take thousands of substeps.
+// Without this rule a scan that intersects itself in three places would come out with forty intersections,
+// and with edges a hundredth of the requested length, for which explicit steps take thousands of substeps.
 TEST(Remesh, CrossesNoMoreOftenThanBefore) {
     const double edge = 0.02;
     Mesh two = generate_sphere(0.1, {edge, Layout::delaunay, 1});
@@ -220,7 +224,7 @@ TEST(Remesh, RemeshesAlongOpenSeams) {
     for (const double asked : {0.01, 0.03}) EXPECT_EQ(remesh(two, {asked}).kept, 0u) << asked;
 }
 
-// A remeshed box must keep its edges.
+// A remeshed box must keep its sharp edges.
 TEST(Remesh, KeepsSharpEdges) {
     const Mesh mesh = remesh(cube(), {0.1}).mesh;
     EXPECT_NEAR(test::mesh_quality(mesh).area, 6, 1e-9);

@@ -16,7 +16,8 @@ namespace {
 
 using Place = std::function<Point(int, int)>;
 
-/// Sheet of columns x rows squares, each of two triangles. closed: the last column meets the first.
+/// Sheet of columns x rows squares, each of two triangles. closed: whether the last column of vertices is
+/// the first one.
 Mesh sheet(int columns, int rows, const Place& place, bool closed = false) {
     Mesh mesh;
     std::vector<std::vector<Vertex>> at(columns + 1);
@@ -40,7 +41,8 @@ Mesh plate() {
     return sheet(20, 12, [](int i, int j) { return Point(0.01 * i, 0.01 * j, 0); });
 }
 
-/// Fin along the sixth row of the plate, between two of its columns.
+/// Fin above the sixth row of the plate, from column `from` to column `to`, which continues by `below` rows
+/// below the plate.
 Mesh fin(int from, int to, int below = 0) {
     return sheet(to - from, 6 + below,
                  [=](int i, int j) { return Point(0.01 * (from + i), 0.01 * 6, 0.01 * (j - below)); });
@@ -56,7 +58,7 @@ Mesh tube(double radius, int from, int to) {
         true);
 }
 
-/// Points of each sheet that `is_there` selects.
+/// Returns, for each component of the mesh, its points that `is_there` selects.
 std::vector<std::set<Point>> points(const Mesh& mesh, const std::function<bool(const Point&)>& is_there) {
     const auto parts = connected_components(mesh);
     std::vector<std::set<Point>> found(parts.count);
@@ -82,8 +84,9 @@ bool is_below_fin(const Point& p) {
     return std::abs(p.y() - 0.06) < 1e-9 && std::abs(p.z()) < 1e-9;
 }
 
-// Sheets that repair separated at an edge of three or four faces touch in vertices, which need no exemption
-// from contact. Touching in faces they would intersect.
+// Repair separates sheets at an edge of three or four faces; after remeshing they must still touch only in
+// vertices at the same places, which need no exemption from contact. If the edge were divided differently,
+// they would touch in faces, and so intersect.
 TEST(SharedLines, AreDividedAlikeOnAllSheets) {
     for (const double edge_length : {0.04, 0.023, 0.012, 0.006, 0.0031}) {
         expect_one_division(coincident(plate(), fin(0, 20)), edge_length, is_below_fin);
@@ -93,7 +96,7 @@ TEST(SharedLines, AreDividedAlikeOnAllSheets) {
     }
 }
 
-// The line ends within the plate, where a border of the fin turns upwards.
+// The shared line ends within the plate, where a border of the fin turns upwards.
 TEST(SharedLines, EndWhereSheetsPart) {
     for (const double edge_length : {0.023, 0.012, 0.006})
         expect_one_division(coincident(plate(), fin(4, 15)), edge_length, [](const Point& p) {
@@ -101,7 +104,8 @@ TEST(SharedLines, EndWhereSheetsPart) {
         });
 }
 
-// Two layers in one place share all of their edges: if these were lines, nothing could be remeshed.
+// Two layers in one place share all of their edges: if all these counted as shared lines, nothing could be
+// remeshed.
 TEST(SharedLines, AreNotThoseOfDoubledSheets) {
     const SharedEdges doubled = shared_edges(coincident(plate(), plate()));
     EXPECT_EQ(std::ranges::count(doubled.is_shared, 1), 0);

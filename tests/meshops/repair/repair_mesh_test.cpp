@@ -113,7 +113,7 @@ TEST_F(RepairMesh, DropsWhatBoundsNothing) {
     EXPECT_EQ(read("b.obj", unseen, {.join_duplicate_points = true}).number_of_vertices(), 4U);
 }
 
-// A fin on a plate must not take half of the plate with it.
+// When a fin is separated from a plate, half of the plate must not go with it.
 TEST_F(RepairMesh, SheetsGoStraightOnWhereTheyMeet) {
     const std::string cross =
         "v 0 0 0\nv 0 1 0\nv 1 0.5 0\nv 0 0.5 1\nv -1 0.5 0\nv 0 0.5 -1\n"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Wrong moments would let a free body from a mesh fall and turn like another one.
+// With wrong moments a free body from a mesh would fall and turn like another body.
 #include "meshops/solid/solid_moments.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Matrix3d, Eigen::Vector3d;
 
-// Tetrahedron of the unit vectors, far from the origin, where digits would be lost.
+// Tetrahedron of the unit vectors, far from the origin, where a sum about the origin would lose digits.
 TEST(SolidMoments, OfATetrahedronAreExact) {
     const Vector3d at(1000, -2000, 500);
     Mesh mesh;
@@ -29,12 +29,14 @@ TEST(SolidMoments, OfATetrahedronAreExact) {
     const SolidMoments solid = solid_moments(mesh);
     EXPECT_NEAR(solid.volume, 1.0 / 6, 1e-12);
     EXPECT_LT((solid.centre - at - Vector3d::Constant(0.25)).norm(), 1e-12);
-    // Integrals over the tetrahedron: x^2 1/60, xy 1/120, x 1/24.
+    // About the corner `at`, the integrals over the tetrahedron are 1/60 for x^2, 1/120 for x y and 1/24 for
+    // x. About the centre those of x^2 and x y are less by (1/24)^2 over the volume, 1/96.
     const Matrix3d second = Matrix3d::Constant(1.0 / 120 - 1.0 / 96) + Matrix3d::Identity() / 120;
     EXPECT_LT((solid.second - second).norm(), 1e-12);
 }
 
-// Theory: m (b^2 + c^2) / 5; the volume and the inertia of the facets are less by their sagitta.
+// Theory, with the mass m and half axes b and c perpendicular to the axis of rotation: m (b^2 + c^2) / 5.
+// The facets lie inside the ellipsoid, so that volume and inertia are a little less.
 TEST(SolidMoments, OfAnEllipsoidAreThoseOfTheory) {
     const Vector3d half(1, 2, 3);
     Mesh mesh = generate_sphere(1, {.edge_length = 0.1});

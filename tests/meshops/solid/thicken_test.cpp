@@ -78,7 +78,8 @@ TEST(Thicken, ClosedSheetEnclosesACavity) {
     expect_body(triangle_sheet(generate_sphere(0.1, edges(0.01))), 0.003, 0.01);
 }
 
-// Plain normals would make a folded sheet 30 % thinner at the fold.
+// If points moved along the vertex normals by only half the thickness, a folded sheet would be 30 % thinner
+// at the fold.
 TEST(Thicken, FoldKeepsItsThickness) {
     expect_body(fold(), 0.002, 0.01);
     const TriangleSheet sheet = fold(), body = solid(sheet, 0.002);
@@ -99,7 +100,8 @@ TEST(Thicken, NeedleOfAFoldIsNoSpike) {
     }
 }
 
-/// First square of the fold, opened from its rim to its centre along j = 4, with touching crack faces.
+/// First square of the fold with a crack from its rim to its centre along j = 4, whose faces touch. turn:
+/// slope of the sheet away from the crack, on both sides.
 TriangleSheet cracked(std::vector<std::int32_t>& origin, double turn) {
     TriangleSheet sheet = fold();
     sheet.triangles.resize(8 * 16);
@@ -109,7 +111,7 @@ TriangleSheet cracked(std::vector<std::int32_t>& origin, double turn) {
         const int old = 9 * i + 4, created = static_cast<int>(sheet.points.size());
         sheet.points.push_back(sheet.points[old]);
         origin.push_back(old);
-        // The last four pairs of triangles of each column lie beyond the crack.
+        // In each column the last four pairs of triangles lie beyond the crack.
         for (std::size_t t = 0; t < sheet.triangles.size(); ++t)
             if (t % 16 >= 8) std::ranges::replace(sheet.triangles[t], old, created);
     }
@@ -130,7 +132,7 @@ TEST(Thicken, SidesOfAClosedCrackDoNotMeet) {
     }
 }
 
-// Users identify points and faces by their numbers.
+// Users identify points and faces by their numbers, which must not change.
 TEST(Thicken, KeepsTheOrderOfPointsTrianglesAndGroups) {
     TriangleSheet sheet = fold();
     for (std::size_t t = 0; t < sheet.triangles.size(); ++t) {
@@ -152,7 +154,7 @@ TEST(Thicken, KeepsTheOrderOfPointsTrianglesAndGroups) {
     EXPECT_EQ(body.group.size(), body.triangles.size());
 }
 
-// A check that finds nothing would prove nothing.
+// If the check found no faults, tests that use it would prove nothing.
 TEST(CheckBody, FindsWhatIsWrong) {
     EXPECT_FALSE(check_body(fold()).closed);
     TriangleSheet body = solid(fold(), 0.002);

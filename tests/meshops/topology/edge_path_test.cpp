@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Otherwise a pre-scored line has gaps or lies elsewhere than drawn.
+// With errors in edge_path(), a pre-scored line would have gaps or lie elsewhere than drawn.
 #include "meshops/topology/edge_path.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ double length_of(const Mesh& mesh, const std::vector<Edge>& path) {
     return length;
 }
 
-/// Numbers of the vertices at which an odd number of the edges ends: the two ends of a simple path.
+/// Numbers of the vertices at which an odd number of the path's edges ends: for a simple path, its two ends.
 std::set<std::uint32_t> ends_of(const Mesh& mesh, const std::vector<Edge>& path) {
     std::set<std::uint32_t> odd;
     for (const Edge e : path)
@@ -54,7 +54,7 @@ TEST(EdgePath, FollowsMeshLinesExactly) {
         EXPECT_EQ(ends_of(mesh, {path[i - 1], path[i]}).size(), 2u) << "each edge goes on from the last";
 }
 
-// Many paths lead from one corner to the other; the one along the line is needed.
+// Many paths lead from one point of the rim to the opposite one; the path along the line is needed.
 TEST(EdgePath, KeepsCloseToTheLineOnAnyMesh) {
     for (const double degrees : {0.0, 17.0, 30.0, 45.0, 71.0, 90.0, 133.0}) {
         const Mesh mesh = generate_disc(1, {.edge_length = 0.05});

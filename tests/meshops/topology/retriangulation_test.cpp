@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Otherwise mass, momentum or other data of a sheet are lost or added where triangles change.
+// With errors in Retriangulation, mass, momentum or other data of a sheet would be lost or added where
+// triangles change.
 #include "meshops/topology/retriangulation.h"
 
 #include <gtest/gtest.h>
@@ -75,7 +76,7 @@ TEST(Retriangulation, AMovedVertexHasThePlaceInOneOldFace) {
     expect_same_sheet(old, mesh, change, true);
 }
 
-// The edges of a tetrahedron cannot be flipped: the new ones exist already.
+// The edges of a tetrahedron cannot be flipped: the edges that would result exist already.
 TEST(Retriangulation, NoSecondEdgeBetweenTwoVertices) {
     Mesh mesh;
     const auto a = mesh.add_vertex({0, 0, 0}), b = mesh.add_vertex({1, 0, 0});
@@ -104,7 +105,7 @@ void edit_somewhere(const Mesh& mesh, Retriangulation& edits, Random& random) {
     }
 }
 
-// Several changes on top of each other: vertices may then have more parents, but all else holds.
+// Several changes follow on each other: vertices may then have more parents, but everything else must hold.
 RC_GTEST_PROP(Retriangulation, RandomSplitsAndFlipsKeepTheSheet, ()) {
     const unsigned shape = *rc::gen::inRange(0u, sheet_shapes), seed = *rc::gen::inRange(0u, 1u << 30);
     Mesh mesh = drawn_sheet(shape, seed);
@@ -130,7 +131,7 @@ bool folds(const Mesh& mesh, Vertex vertex, const Vector3d& target) {
     return false;
 }
 
-// Excludes moves that fold faces over, which move() does not allow.
+// Moves that fold faces over are left out, since move() does not allow them.
 RC_GTEST_PROP(Retriangulation, RandomMovesKeepTheSheet, ()) {
     const unsigned shape = *rc::gen::inRange(0u, sheet_shapes), seed = *rc::gen::inRange(0u, 1u << 30);
     Mesh mesh = drawn_sheet(shape, seed);

@@ -23,7 +23,7 @@ inline Shell together(const Shell& shell, const Obstacle& obstacle, double time)
     return both;
 }
 
-/// Gap, m, between a sheet and an obstacle's surface at `time`; negative if they intersect.
+/// Gap, m, between a sheet and an obstacle's surface at `time`; -1 if they intersect.
 inline double gap(const Shell& shell, const Obstacle& obstacle, double time) {
     const Shell both = together(shell, obstacle, time);
     return intersections(both, both.position) > 0 ? -1 : smallest_distance(both, both.position);

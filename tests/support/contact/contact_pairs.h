@@ -26,8 +26,9 @@ inline LongVector closest_on_segment(const LongVector& p, const LongVector& a, c
     return a + std::clamp((p - a).dot(along) / length, 0.0L, 1.0L) * along;
 }
 
-/// Smallest distance of the two elements, by ternary search along one of them (distance to a convex set is
-/// convex), in long double: slow, but without case distinctions.
+/// Smallest distance between the two elements of a pair, whose vertices are the columns of x: by ternary
+/// search along one element, since the distance to a convex set is convex; in long double. Slow, but without
+/// case distinctions.
 inline long double searched_distance(PairKind kind, const LongPositions& x) {
     const auto search = [](const auto& f) {
         long double low = 0, high = 1;
@@ -45,13 +46,13 @@ inline long double searched_distance(PairKind kind, const LongPositions& x) {
     };
     if (kind == PairKind::edge_edge)
         return std::sqrt(search([&](long double s) { return to_segment(on(0, 1, s), x.col(2), x.col(3)); }));
-    return std::sqrt(search([&](long double s) {  // segments of the triangle from vertex 1 to the side 2-3
+    return std::sqrt(search([&](long double s) {  // triangle: segments from column 1 to side 2-3
         return to_segment(x.col(0), x.col(1), on(2, 3, s));
     }));
 }
 
-/// Pairs in positions of every kind: anywhere, near, touching at corners, parallel, coplanar, needles,
-/// points.
+/// Positions of the vertices of `random_ones` random pairs: in turn anywhere, coplanar, parallel, nearly
+/// parallel, with a needle for a triangle, near a corner, with an edge of length zero, and very near.
 inline std::vector<PairPositions> adversarial_pairs(int random_ones) {
     Random random(7);
     std::vector<PairPositions> pairs;
@@ -67,16 +68,16 @@ inline std::vector<PairPositions> adversarial_pairs(int random_ones) {
             case 3:  // nearly parallel
                 x.col(3) = x.col(2) + (x.col(1) - x.col(0)) + random.matrix<Vector3d>(1e-9);
                 break;
-            case 4:  // a needle
+            case 4:  // triangle that is a needle
                 x.col(3) = 0.5 * (x.col(1) + x.col(2)) + random.matrix<Vector3d>(1e-9);
                 break;
-            case 5:  // over a corner, or in line with an edge
+            case 5:  // near a corner of the triangle, or an end of the other edge
                 x.col(0) = x.col(2) + 0.1 * random.matrix<Vector3d>(1);
                 break;
-            case 6:  // a point
+            case 6:  // edge of length zero
                 x.col(3) = x.col(2);
                 break;
-            case 7:  // over the middle, very near
+            case 7:  // very near the middle of the triangle
                 x.col(0) = (x.col(1) + x.col(2) + x.col(3)) / 3 + random.matrix<Vector3d>(1e-3);
                 break;
         }

@@ -7,7 +7,8 @@
 
 namespace sherd::test {
 
-/// Rectangle of `count` x 2 rectangles in the plane z = 0, about the origin.
+/// Points of a rectangle in the plane z = 0 about the origin, divided into `count` x 2 smaller rectangles.
+/// length, width: m.
 inline Positions strip_points(double length, double width, int count) {
     Positions points(3, 3 * (count + 1));
     for (int i = 0; i <= count; ++i)
@@ -27,7 +28,8 @@ inline std::vector<std::array<Index, 3>> strip_triangles(int count) {
     return triangles;
 }
 
-/// samples: [3, P] m. interval: s.
+/// Obstacle with an open surface that deforms. samples: [3, P] m, positions of its points at times from 0 on,
+/// `interval` s apart. smooth: as in Deformation.
 inline Obstacle deforming(const std::vector<Positions>& samples,
                           const std::vector<std::array<Index, 3>>& triangles, double interval,
                           bool smooth = false) {
@@ -43,7 +45,7 @@ inline Obstacle deforming(const std::vector<Positions>& samples,
     return obstacle;
 }
 
-/// Belt that moves along x and is stretched meanwhile, to `stretch` times its length in 1 s.
+/// Belt that moves along x at `speed`, m/s, and is stretched meanwhile, to `stretch` times its length in 1 s.
 inline Obstacle belt(double speed, double stretch, double friction) {
     std::vector<Positions> samples;
     for (int s = 0; s <= 40; ++s) {

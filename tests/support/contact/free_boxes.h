@@ -10,7 +10,7 @@
 
 namespace sherd::test {
 
-/// Free box with a surface. size, centre: m; density: kg/m^3.
+/// Free box with a surface. size, from side to side, and centre: m; density: kg/m^3.
 inline RigidBody solid_body(const Vector3d& size, const Vector3d& centre, double density = 2000) {
     RigidBody box = rigid_box(size, density);
     box.surface = box_surface(Vector3d::Zero(), 0.5 * size);
@@ -19,12 +19,12 @@ inline RigidBody solid_body(const Vector3d& size, const Vector3d& centre, double
     return box;
 }
 
-/// Rotation by an eighth of a turn, which takes a box from a face down to an edge down.
+/// Rotation by an eighth of a turn about `axis`, which turns a box that lies on a face onto an edge.
 inline Matrix3d turn_about(const Vector3d& axis) {
     return Eigen::AngleAxisd(std::numbers::pi / 4, axis).toRotationMatrix();
 }
 
-/// Long box, edge up: its upper edge is along y at height zero.
+/// Long box with an edge on top, which is along y at height zero and at `x`, m.
 inline Obstacle roof(double x) {
     const double half = 0.01;
     Obstacle roof = solid_box(Vector3d::Zero(), Vector3d(half, 0.03, half), 3e10, 0.3);
@@ -33,7 +33,7 @@ inline Obstacle roof(double x) {
     return roof;
 }
 
-/// Linear and angular momentum, the latter about the origin.
+/// Sum of the bodies' linear momenta, kg m/s, and of their angular momenta about the origin, kg m^2/s.
 inline Vector6d momenta(const std::vector<RigidBody>& bodies) {
     Vector6d sum = Vector6d::Zero();
     for (const RigidBody& body : bodies) {

@@ -6,8 +6,8 @@
 
 namespace sherd::test {
 
-/// Checks a step in which an obstacle moves along x: friction must be the derivative of its value, and take
-/// the sheet along.
+/// Checks friction in a step `moved` in which an obstacle moves along x: gradient and Hessian must be
+/// derivatives of the friction's energy, and its force must pull the sheet along x.
 inline void expect_friction_along_x(const Shell& shell, SheetContact& contact, const StepContext& moved) {
     contact.begin(moved);
     SheetFriction friction(shell, contact, 0);

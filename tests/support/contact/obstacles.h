@@ -19,7 +19,7 @@ inline Obstacle floor(double young = 3e10, double friction = 0) {
     return obstacle(PlaneShape{}, young, friction);
 }
 
-/// Box of twelve triangles.
+/// Surface of a box, made of twelve triangles. centre, half (from the centre to the sides): m.
 inline std::shared_ptr<const ColliderSurface> box_surface(const Vector3d& centre, const Vector3d& half) {
     Positions points(3, 8);
     for (int i = 0; i < 8; ++i)
@@ -34,7 +34,7 @@ inline std::shared_ptr<const ColliderSurface> box_surface(const Vector3d& centre
     return std::make_shared<ColliderSurface>(collider_surface(points, triangles));
 }
 
-/// Box with a surface.
+/// Obstacle in the shape of a box that also has its surface as triangles.
 inline Obstacle solid_box(const Vector3d& centre, const Vector3d& half, double young = 3e10,
                           double friction = 0) {
     Obstacle box = obstacle(BoxShape(centre, half), young, friction);
@@ -42,7 +42,8 @@ inline Obstacle solid_box(const Vector3d& centre, const Vector3d& half, double y
     return box;
 }
 
-/// Sphere about the origin, from an octahedron whose triangles are divided into four, `times` times.
+/// Sphere about the origin, made from an octahedron by dividing each triangle into four, `times` times.
+/// radius: m.
 inline std::shared_ptr<const ColliderSurface> sphere_surface(double radius, int times) {
     std::vector<Vector3d> points{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
     std::vector<std::array<Index, 3>> triangles{{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
@@ -67,7 +68,7 @@ inline std::shared_ptr<const ColliderSurface> sphere_surface(double radius, int 
     return std::make_shared<ColliderSurface>(collider_surface(all, triangles));
 }
 
-/// Single vertex, which acts like a ball of mass 0.1 kg, 1 cm thick.
+/// Sheet of a single vertex, which acts like a ball of mass 0.1 kg and diameter 1 cm.
 inline Shell lone_vertex(const Vector3d& at) {
     Shell shell;
     resize_vertices(shell, 1);

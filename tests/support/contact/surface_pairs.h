@@ -9,7 +9,7 @@
 
 namespace sherd::test {
 
-/// Kind and vertices.
+/// Kind and vertices of a contact pair.
 using PairName = std::pair<PairKind, std::array<Index, 4>>;
 
 inline double distance_at(const PairName& name, const Positions& x) {
@@ -17,7 +17,8 @@ inline double distance_at(const PairName& name, const Positions& x) {
     return std::sqrt(squared_distance(closest_points(name.first, local), local));
 }
 
-/// Returns all pairs nearer than `share` times their activation distance at x, by comparing all elements.
+/// Returns all pairs of the surface that are nearer at x than `share` times their activation distance, by
+/// comparing all elements.
 inline std::vector<PairName> pairs_nearer_than(double share, const ContactSurface& surface,
                                                const Positions& x) {
     std::vector<PairName> names;

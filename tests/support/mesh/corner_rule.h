@@ -9,19 +9,22 @@
 
 namespace sherd::test {
 
-/// Opening rule in a form independent of the order of failures, by union-find over the corners of a triangle
-/// list, without halfedges or code in common with CrackMesh. A corner is 3 * face + its place in the face.
+/// Rule by which CrackMesh opens a mesh, as a reference: two corners of faces are at one vertex if faces
+/// around this vertex connect them across edges that have not failed. The result does not depend on the order
+/// of failures. Found by union-find over the corners of a list of triangles, without halfedges or code in
+/// common with CrackMesh. The number of a corner is 3 * face + its place in the face.
 class CornerRule {
   public:
     using Triangle = std::array<int, 3>;
     using VertexPair = std::pair<int, int>;
 
-    /// faces: a manifold, must outlive the rule. failed: ordered() pairs of their vertices.
+    /// faces: triangles of a manifold mesh, which must outlive this object. failed: the two vertices of each
+    /// failed edge, ordered().
     CornerRule(const std::vector<Triangle>& faces, std::vector<VertexPair> failed) : faces(faces) {
         std::sort(failed.begin(), failed.end());
         parent.resize(3 * faces.size());
         std::iota(parent.begin(), parent.end(), 0);
-        std::vector<std::pair<VertexPair, int>> sides;  // three of each face
+        std::vector<std::pair<VertexPair, int>> sides;  // each face has three
         sides.reserve(parent.size());
         for (int c = 0; c < static_cast<int>(parent.size()); ++c)
             sides.push_back({ordered(faces[c / 3][c % 3], faces[c / 3][(c + 1) % 3]), c / 3});
@@ -46,7 +49,8 @@ class CornerRule {
     }
 
     static VertexPair ordered(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
-    /// Returns a number, below 3 * faces, that two corners share if and only if they are one vertex.
+    /// Returns a number, below 3 * faces, which is equal for two corners if and only if they are at one
+    /// vertex of the opened mesh.
     int vertex(int face, int place) { return root(3 * face + place); }
     int vertex_count() const {
         int count = 0;
@@ -54,7 +58,7 @@ class CornerRule {
         return count;
     }
     bool is_open(int a, int b) const { return std::binary_search(open.begin(), open.end(), ordered(a, b)); }
-    /// Whether the edge had only one face from the start.
+    /// Whether the edge has only one face in the unbroken mesh.
     bool is_border(int a, int b) const {
         return std::binary_search(border.begin(), border.end(), ordered(a, b));
     }
@@ -70,7 +74,7 @@ class CornerRule {
 
     const std::vector<Triangle>& faces;
     std::vector<int> parent;
-    std::vector<VertexPair> open, border;  ///< ascending
+    std::vector<VertexPair> open, border;  ///< open edges; border edges of the unbroken mesh; ascending
 };
 
 }  // namespace sherd::test

@@ -17,7 +17,7 @@ inline CornerRule::VertexPair vertex_pair(const Mesh& mesh, Edge edge) {
                                static_cast<int>(mesh.vertex(edge, 1).idx()));
 }
 
-/// Returns the fault of a mesh as a 2-manifold; empty: none.
+/// Returns what makes a mesh not a 2-manifold; empty: nothing.
 inline std::string manifold_fault(const Mesh& mesh) {
     if (!mesh.is_valid(false)) return "Surface_mesh::is_valid";
     if (!CGAL::is_valid_polygon_mesh(mesh)) return "CGAL::is_valid_polygon_mesh";
@@ -34,9 +34,10 @@ inline std::string manifold_fault(const Mesh& mesh) {
     return reached == mesh.number_of_halfedges() ? "" : "a halfedge that is around no vertex";
 }
 
-/// Returns the first difference of the faces' corners from the rule; empty: none. The faces must be the same
-/// in the same order, their corners joined exactly as by the rule, each vertex a copy of the earlier vertex
-/// at its corner, and in its place. old_faces: triangles_of(before).
+/// Returns the first difference between the faces' corners after failures and the rule; empty: none. `after`
+/// must have the faces of `before` in their order; their corners must be at one vertex exactly where the rule
+/// says so, and each vertex must be a copy of the vertex that its corners had before. old_faces:
+/// triangles_of(before).
 inline std::string corner_fault(const Mesh& before, const std::vector<std::array<int, 3>>& old_faces,
                                 CornerRule& rule, const CrackMesh& after) {
     const auto faces = triangles_of(after.mesh());
@@ -56,7 +57,7 @@ inline std::string corner_fault(const Mesh& before, const std::vector<std::array
     return rule.vertex_count() == static_cast<int>(count) ? "" : "number of vertices";
 }
 
-/// Returns the first difference of the edge states from the rule; empty: none.
+/// Returns the first difference between the states of edges and the rule; empty: none.
 inline std::string edge_fault(const Mesh& before, const CornerRule& rule, std::span<const Edge> failed,
                               const CrackMesh& after) {
     if (after.mesh().number_of_edges() != before.number_of_edges() + rule.open_count())
@@ -77,7 +78,8 @@ inline std::string edge_fault(const Mesh& before, const CornerRule& rule, std::s
     return "";
 }
 
-/// Returns the first difference of a mesh whose edges `failed` have failed from the corner rule; empty: none.
+/// Returns the first difference between `after`, the mesh `before` in which the edges `failed` have failed,
+/// and the corner rule; empty: none.
 inline std::string disagreement(const Mesh& before, std::span<const Edge> failed, const CrackMesh& after) {
     std::vector<CornerRule::VertexPair> pairs;
     for (const Edge edge : failed) pairs.push_back(vertex_pair(before, edge));

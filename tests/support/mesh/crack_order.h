@@ -21,7 +21,7 @@ inline CrackMesh cracked_one_by_one(const Mesh& mesh, std::span<const Edge> fail
     return cracks;
 }
 
-/// Lets the edges fail in the order of `failed`, some at a time: more often few than many.
+/// Lets the edges fail in the order of `failed`, in batches of random size, more often small than large.
 inline CrackMesh cracked_in_batches(const Mesh& mesh, std::span<const Edge> failed, Random& random) {
     CrackMesh cracks(mesh);
     while (!failed.empty()) {

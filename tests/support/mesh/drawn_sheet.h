@@ -15,8 +15,8 @@ inline bool is_flat_sheet(unsigned shape) {
     return shape == 0 || shape > 2;
 }
 
-/// Small sheet by shape: flat, a tube, closed, a grid of squares; or flat with slivers and vertices of any
-/// degree.
+/// Small sheet. shape: 0 a flat rectangle, 1 a tube, 2 a sphere, 3 a flat grid of squares, 4 a flat rectangle
+/// with slivers and vertices of any degree.
 inline Mesh drawn_sheet(unsigned shape, unsigned seed) {
     switch (shape) {
         case 0:

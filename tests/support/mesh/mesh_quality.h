@@ -11,13 +11,14 @@
 
 namespace sherd::test {
 
-/// Quality of the triangles of a mesh. Angles in degrees.
+/// Quality of the triangles of a mesh. Angles are in degrees, lengths in m, areas in m^2.
 struct MeshQuality {
     double smallest_angle = 180;
     double mean_smallest_angle = 0;
     double mean_edge = 0;
     double area = 0;
-    /// |mean of exp(6 i angle)| over the inner edges, angles in the xy plane: 1 for a lattice, 0 for none.
+    /// |mean of exp(6 i angle)| over the inner edges, whose angles are in the xy plane: 1 for a lattice of
+    /// equilateral triangles, 0 for edges in random directions.
     double order = 0;
 };
 

@@ -22,7 +22,7 @@ class MeshReading : public ::testing::Test {
         return read_mesh(directory.write(name, text), options, warnings);
     }
 
-    /// Returns the message of the Error that reading throws.
+    /// Returns the message of the Error that reading the text throws; "no error" if there is none.
     std::string failure(const std::string& name, const std::string& text,
                         const ReadMeshOptions& options = {}) {
         try {
@@ -34,7 +34,7 @@ class MeshReading : public ::testing::Test {
         return "no error";
     }
 
-    /// Expects a failure whose message has the name of the file and `part`.
+    /// Expects that reading fails with a message that has the name of the file and `part`.
     void expect_failure(const std::string& name, const std::string& text, const std::string& part,
                         const ReadMeshOptions& options = {}) {
         const std::string message = failure(name, text, options);
@@ -56,7 +56,7 @@ class MeshReading : public ::testing::Test {
 
 using Triangles = std::vector<std::vector<unsigned>>;
 
-/// Corners of each face as numbers in the file, beginning with the first.
+/// Corners of each face, by the numbers of their vertices in the file, in the file's order.
 inline Triangles triangles(const Mesh& mesh) {
     const auto [file_vertex, exists] = find_property(mesh, attribute::file_vertex);
     EXPECT_TRUE(exists);

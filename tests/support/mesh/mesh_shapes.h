@@ -21,8 +21,8 @@ inline std::vector<std::array<int, 3>> triangles_of(const Mesh& mesh) {
     return triangles;
 }
 
-/// columns x rows squares of two triangles each, in the plane z = 0; optionally wrapped to a tube or a torus
-/// (a topology, not a shape).
+/// Grid of columns x rows squares of two triangles each, in the plane z = 0. Optionally opposite sides are
+/// joined, so that its topology (but not its shape) is a tube or a torus.
 inline Mesh grid(int columns, int rows, bool wrap_columns = false, bool wrap_rows = false) {
     Mesh mesh;
     const int across = wrap_columns ? columns : columns + 1, along = wrap_rows ? rows : rows + 1;

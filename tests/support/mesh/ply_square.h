@@ -5,7 +5,7 @@
 
 namespace sherd::test {
 
-/// PLY file of a unit square of two triangles with an axis each, "x y z".
+/// Text of a PLY file with a unit square of two triangles, each with an axis, "x y z".
 inline std::string ply_square(const std::string& first_axis, const std::string& second_axis) {
     return "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
            "element face 2\nproperty list uchar int vertex_indices\nproperty float axis_x\n"

@@ -10,10 +10,10 @@
 
 namespace sherd::test {
 
-/// Choice of edges by random_edges(); smaller numbers choose fewer, for shrinking.
+/// Parameters of random_edges(). Smaller numbers choose fewer edges, so that a failing case can be shrunk.
 struct EdgeRecipe {
     int pattern = 0;    ///< pattern of random_edges(), below pattern_count
-    int amount = 0;     ///< 0 to 100: percent of edges, or number of steps
+    int amount = 0;     ///< 0 to 100: percentage of edges, or (patterns 1 and 2) length of the path or loop
     unsigned seed = 0;  ///< seed of the choice
 };
 
@@ -41,7 +41,7 @@ class EdgeChoice {
         for (const Edge edge : mesh.edges())
             if (random.uniform(0, 100) < amount) is_chosen[edge] = true;
     }
-    /// Adds a path that turns at random and may meet or cross itself.
+    /// Adds a path of steps + 1 edges that turns at random and may meet or cross itself.
     void line(int steps) {
         Halfedge h(random.below(mesh.number_of_halfedges()));
         for (; steps >= 0; --steps) {
@@ -50,7 +50,7 @@ class EdgeChoice {
             for (unsigned turns = random.below(3); turns > 0; --turns) h = mesh.next(mesh.opposite(h));
         }
     }
-    /// Adds the outline of a patch of faces: closed loops, or from boundary to boundary.
+    /// Adds the outline of a patch of faces: closed loops, or lines from boundary to boundary.
     void loop(int steps) {
         std::vector<char> is_inside(mesh.number_of_faces(), false);
         Face face(random.below(mesh.number_of_faces()));
@@ -66,14 +66,14 @@ class EdgeChoice {
             if (is_inside[a] != is_inside[b]) is_chosen[edge] = true;
         }
     }
-    /// Adds edges that touch the boundary, some of which run along it.
+    /// Adds `amount` percent of the edges with a vertex on the boundary.
     void along_boundary(int amount) {
         for (const Edge edge : mesh.edges())
             if ((mesh.is_border(mesh.vertex(edge, 0)) || mesh.is_border(mesh.vertex(edge, 1))) &&
                 random.uniform(0, 100) < amount)
                 is_chosen[edge] = true;
     }
-    /// Adds edges around one vertex.
+    /// Adds `amount` percent of the edges around one vertex.
     void star(int amount) {
         const Vertex centre(random.below(mesh.number_of_vertices()));
         for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(centre)))
@@ -86,7 +86,7 @@ class EdgeChoice {
     std::vector<char> is_chosen;
 };
 
-/// Interior edges of the mesh, ascending; there may be none.
+/// Interior edges of the mesh that the recipe chooses, ascending; there may be none.
 inline std::vector<Edge> random_edges(const Mesh& mesh, const EdgeRecipe& recipe) {
     EdgeChoice choice(mesh, recipe.seed);
     switch (recipe.pattern) {

@@ -11,14 +11,15 @@
 
 namespace sherd::test {
 
-/// Choice of a mesh by random_mesh(); smaller numbers make smaller and plainer meshes, for shrinking.
+/// Parameters of random_mesh(). Smaller numbers make smaller and plainer meshes, so that a failing case can
+/// be shrunk.
 struct MeshRecipe {
     int shape = 0;              ///< shape of base_mesh(), below shape_count
-    int columns = 1, rows = 1;  ///< more are used where the shape needs them
-    int centres = 0;    ///< faces split in three: vertices of degree three, and high degree at old ones
-    int flips = 0;      ///< edges flipped: degrees vary as in a Delaunay mesh
-    int holes = 0;      ///< faces removed
-    unsigned seed = 0;  ///< seed of these places
+    int columns = 1, rows = 1;  ///< numbers of squares; more are used where the shape needs them
+    int centres = 0;            ///< number of faces to split in three, which makes low and high degrees
+    int flips = 0;              ///< number of edges to flip: degrees vary as in a Delaunay mesh
+    int holes = 0;              ///< number of faces to remove
+    unsigned seed = 0;          ///< seed by which these faces and edges are chosen
 };
 
 inline std::ostream& operator<<(std::ostream& out, const MeshRecipe& r) {
@@ -26,7 +27,8 @@ inline std::ostream& operator<<(std::ostream& out, const MeshRecipe& r) {
                << ", flips " << r.flips << ", holes " << r.holes << ", seed " << r.seed;
 }
 
-/// Rim of `count` vertices with a hub of that degree, or two hubs: a closed surface.
+/// Triangles between a rim of `count` vertices and a hub. If closed, a second hub on the other side closes
+/// the surface.
 inline Mesh wheel(int count, bool is_closed) {
     Mesh mesh;
     std::vector<Vertex> rim;
@@ -39,7 +41,7 @@ inline Mesh wheel(int count, bool is_closed) {
     return mesh;
 }
 
-/// Both surfaces, each without its first face, glued along the rims of these.
+/// Both surfaces, each without its first face, glued along the outlines of these two faces.
 inline Mesh connected_sum(const Mesh& first, const Mesh& second) {
     const auto faces = triangles_of(first), others = triangles_of(second);
     Mesh mesh;
@@ -64,7 +66,7 @@ inline Mesh base_mesh(const MeshRecipe& recipe) {
         case 1:
             return wheel(columns + rows, false);
         case 2:
-            return wheel(columns + recipe.rows - 1, true);  // smallest: two tetrahedra, base on base
+            return wheel(columns + recipe.rows - 1, true);  // at least two tetrahedra, base on base
         case 3:
             return grid(columns, recipe.rows, true);  // tube
         case 4:
@@ -103,8 +105,8 @@ inline void remove(Mesh& mesh, Face face) {
         CGAL::Euler::remove_face(mesh.halfedge(face), mesh);
 }
 
-/// Random mesh of some topology, with each vertex at a unique place, so that corners and vertices can be
-/// identified.
+/// Random mesh of the topology that the recipe chooses. Each vertex has a position of its own, by which tests
+/// can identify vertices and corners.
 inline Mesh random_mesh(const MeshRecipe& recipe) {
     Mesh mesh = base_mesh(recipe);
     Random random(recipe.seed);

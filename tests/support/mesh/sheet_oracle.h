@@ -19,7 +19,7 @@ namespace sherd::test {
 
 using Corners = std::array<Eigen::Vector3d, 3>;
 
-/// Mesh as plain arrays, for references without halfedges.
+/// Mesh as plain arrays, for reference computations without halfedges.
 inline TriangleSheet arrays_of(const Mesh& mesh) {
     return triangle_sheet(mesh);
 }
@@ -68,8 +68,8 @@ inline long euler_characteristic(const TriangleSheet& sheet) {
            static_cast<long>(sheet.triangles.size());
 }
 
-/// Expects that every vertex of `change` has at most three parents, with weights of sum 1 that give its
-/// place.
+/// Expects that every vertex of `change` has at most three parents, with weights whose sum is 1 and which
+/// give the vertex's position.
 inline void expect_places(const TriangleSheet& old, const TriangleSheet& now, const TopologyChange& change,
                           double round_off) {
     std::set<std::size_t> placed;
@@ -96,8 +96,9 @@ inline void expect_places(const TriangleSheet& old, const TriangleSheet& now, co
         EXPECT_TRUE(placed.contains(v) || now.points[v] == old.points[v]) << v;
 }
 
-/// Expects that the faces of `change` cover the old ones: the fractions of each sum to 1, and nothing else
-/// has changed. On a flat sheet the area of each face must be the sum of its shares.
+/// Expects that the new faces of `change` cover the old faces: the shares of each old face in new ones sum to
+/// 1, and faces that `change` does not name stay as they are. On a flat sheet the area of each new face must
+/// be the sum of its shares of old faces' areas.
 inline void expect_areas(const TriangleSheet& old, const TriangleSheet& now, const TopologyChange& change,
                          bool is_flat) {
     std::map<std::size_t, double> passed_on;
@@ -125,15 +126,16 @@ inline void expect_areas(const TriangleSheet& old, const TriangleSheet& now, con
     EXPECT_EQ(now.triangles.size(), old.triangles.size() + change.faces.size());
 }
 
-/// Expects that the mesh is an oriented manifold, in itself and as arrays, with the old one's Euler
-/// characteristic.
+/// Expects that the mesh is an oriented manifold, both as it is and rebuilt from its arrays, with the Euler
+/// characteristic of the old mesh.
 inline void expect_manifold(const TriangleSheet& old, const Mesh& mesh, const TriangleSheet& now) {
     EXPECT_TRUE(mesh.is_valid(false));
     EXPECT_NO_THROW(triangle_mesh(now.points, now.triangles));
     EXPECT_EQ(euler_characteristic(now), euler_characteristic(old));
 }
 
-/// Expects the invariants of every change of a sheet's triangles. old: before the change.
+/// Expects what holds for every change of a sheet's triangles. old: the sheet before the change; mesh: after
+/// it.
 inline void expect_same_sheet(const TriangleSheet& old, const Mesh& mesh, const TopologyChange& change,
                               bool is_flat) {
     const TriangleSheet now = arrays_of(mesh);

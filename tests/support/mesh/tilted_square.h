@@ -9,7 +9,8 @@
 
 namespace sherd::test {
 
-/// Square of side 1 m, 1 cm thick, with edges of `edge` m, moved by `shift` after a turn about the x axis.
+/// Square of side 1 m, 1 cm thick, with edges of `edge` m; turned by `degrees` about the x axis, then moved
+/// by `shift`, m.
 inline SheetInput tilted_square(double degrees, const Vector3d& shift, double edge = 1) {
     SheetInput sheet;
     sheet.mesh = generate_rectangle(1, 1, {edge, Layout::structured, 1});

@@ -9,13 +9,14 @@
 
 namespace sherd::test {
 
-/// Grid of cubic voxels with active centres in [lower, upper] (numbers of voxels), whose values are `value(x,
-/// y, z)` at their place in space.
+/// OpenVDB grid of cubic voxels with sides of `voxel`, m. Voxels whose numbers are in the box `active` are
+/// active, and have the value value(x, y, z) at their centre in space.
 template <class Value>
 openvdb::FloatGrid::Ptr vdb_grid(const std::string& name, double voxel, const openvdb::CoordBBox& active,
                                  float background, const Value& value) {
     openvdb::initialize();
-    // By the name of its type: Grid::create would compile all of OpenVDB's tree a second time.
+    // Creates the grid by the name of its type: Grid::create would compile all of OpenVDB's tree a second
+    // time.
     auto grid = openvdb::gridPtrCast<openvdb::FloatGrid>(
         openvdb::GridBase::createGrid(openvdb::FloatGrid::gridType()));
     grid->tree().root().setBackground(background, false);

@@ -9,7 +9,8 @@
 
 namespace sherd::test {
 
-/// Returns the bytes of a text in base64, up to the first '='. Throws std::invalid_argument.
+/// Returns the bytes of a text in base64, up to the first '='. Throws std::invalid_argument if the text is
+/// not base64.
 inline std::string from_base64(const std::string& text) {
     const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     if (text.size() % 4 != 0) throw std::invalid_argument("base64 comes in groups of four");

@@ -11,7 +11,7 @@
 
 namespace sherd::test {
 
-/// Scene from a text, and its simulation's input.
+/// Scene read from a text, and the input of its simulation.
 struct BuiltText {
     Scene scene;
     BuiltScene built;

@@ -8,8 +8,8 @@
 
 namespace sherd::test {
 
-/// Opens an HDF5 file to be changed as by another program: changes are immediate, and the file is closed with
-/// the handle.
+/// Opens an HDF5 file to be changed as by another program: changes reach the file at once, and destroying the
+/// handle closes it.
 inline hdf5::Handle open_to_edit(const std::filesystem::path& file) {
     const hdf5::Handle access(H5Pcreate(H5P_FILE_ACCESS));
     H5Pset_fclose_degree(access, H5F_CLOSE_STRONG);

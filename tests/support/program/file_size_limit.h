@@ -8,7 +8,7 @@
 
 namespace sherd::test {
 
-/// File size limit for this process, lifted at the end of the test.
+/// File size limit for this process, which the destructor lifts.
 class FileSizeLimit {
   public:
     explicit FileSizeLimit(std::uintmax_t bytes) {

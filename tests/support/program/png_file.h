@@ -12,9 +12,9 @@
 
 namespace sherd::test {
 
-using Colour16 = std::array<std::uint16_t, 3>;  ///< red, green, blue, to 65535
+using Colour16 = std::array<std::uint16_t, 3>;  ///< red, green, blue, each 0 to 65535
 
-/// Writes a PNG file of 16 bits a channel; `colours`: row by row from the top left.
+/// Writes a PNG file with 16 bits per channel. colours: of the pixels, row by row from the top left.
 inline void write_png(const std::filesystem::path& file, png_uint_32 width, png_uint_32 height,
                       const std::vector<Colour16>& colours) {
     std::vector<png_byte> bytes;

@@ -32,7 +32,7 @@ struct ProgramResult {
 };
 
 struct ProgramLimits {
-    /// Largest size of a file: beyond it write() fails, as on a full disk.
+    /// Largest size of a file, bytes: beyond it write() fails, as on a full disk.
     std::optional<std::uint64_t> file_bytes;
     /// Whether flock() fails, as on a file system without locks.
     bool no_locks = false;
@@ -86,8 +86,8 @@ inline void become(std::vector<char*>& arguments, const std::filesystem::path& d
 
 }  // namespace detail
 
-/// Runs a program in `directory` and waits for its end. meanwhile: called with its process number after
-/// its start.
+/// Runs a program in `directory` and waits for its end. meanwhile: called with the program's process number
+/// after its start.
 inline ProgramResult run_program(std::string program, std::vector<std::string> arguments,
                                  const std::filesystem::path& directory, const ProgramLimits& limits = {},
                                  const std::function<void(pid_t)>& meanwhile = {}) {
@@ -105,7 +105,7 @@ inline ProgramResult run_program(std::string program, std::vector<std::string> a
     return {exit_code, detail::text_of(out.get()), detail::text_of(err.get())};
 }
 
-/// Runs the real program: see run_program().
+/// Runs the program sherd by run_program().
 inline ProgramResult run_sherd(std::vector<std::string> arguments, const std::filesystem::path& directory,
                                const ProgramLimits& limits = {},
                                const std::function<void(pid_t)>& meanwhile = {}) {

@@ -14,8 +14,8 @@
 namespace sherd::test {
 
 /// Possible content of a disk after a power cut: all synchronized data, and any part of the rest. Writes may
-/// be lost, reordered and torn between sectors; names change in order, up to any moment, as in file systems
-/// with a journal.
+/// be lost, reordered and torn between sectors. Changes of names are kept in order, up to any one of them, as
+/// in file systems with a journal.
 class SimulatedDisk {
   public:
     /// Starts with a folder of files that are on the disk.
@@ -41,8 +41,8 @@ class SimulatedDisk {
         }
     }
 
-    /// Writes a possible content after a power cut into a folder. everything: content after the end of the
-    /// program alone.
+    /// Replaces the files of `folder` by a possible content of the disk after a power cut. everything: by the
+    /// content that it has if only the program ends, and nothing is lost.
     void show(const std::filesystem::path& folder, bool everything, std::mt19937& random) const {
         std::map<std::string, std::size_t> shown = names;
         const std::size_t kept = everything ? waiting_names.size() : random() % (waiting_names.size() + 1);
@@ -57,7 +57,7 @@ class SimulatedDisk {
   private:
     static constexpr std::size_t sector = 512;
     struct File {
-        std::string bytes;  ///< on the disk
+        std::string bytes;  ///< content on the disk
         std::vector<SystemCall> waiting;
     };
 
@@ -108,7 +108,7 @@ class SimulatedDisk {
         return bytes;
     }
 
-    /// Makes a write without some of its sectors: one in `left_out`; 0: all are written.
+    /// Makes a write, but leaves out each of its sectors with probability 1 / left_out; 0: leaves out none.
     static void tear(std::string& bytes, const SystemCall& call, std::size_t left_out, std::mt19937& random) {
         if (random() % 2 == 0) bytes.resize(std::max(bytes.size(), call.offset + call.bytes.size()));
         for (std::size_t at = 0; at < call.bytes.size();) {
@@ -121,7 +121,7 @@ class SimulatedDisk {
 
     std::vector<File> files;
     std::map<std::string, std::size_t> names,
-        now;  ///< numbers of files: on the disk, and as programs see them
+        now;  ///< indices in `files` by name: on the disk, and as programs see them
     std::vector<std::map<std::string, std::size_t>> waiting_names;
 };
 

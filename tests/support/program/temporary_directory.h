@@ -11,7 +11,7 @@
 
 namespace sherd::test {
 
-/// New folder, removed with its content at the end of the test.
+/// New folder, which the destructor removes with its content.
 class TemporaryDirectory {
   public:
     TemporaryDirectory() {
@@ -31,7 +31,7 @@ class TemporaryDirectory {
         return path / name;
     }
 
-    /// Name and content of every file, and the name of every folder.
+    /// Name and content of every file, and the name of every folder, with an empty content.
     std::map<std::string, std::string> contents() const {
         std::map<std::string, std::string> result;
         for (const auto& entry : std::filesystem::recursive_directory_iterator(path)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A program on a terminal, and its output there.
+// Classes to run a program on a terminal and see its output there.
 #pragma once
 
 #include <fcntl.h>
@@ -39,7 +39,7 @@ class Screen {
     }
 
     std::size_t column = 0;
-    std::vector<std::string> wrapped;  ///< lines that were too long, up to the width of the screen
+    std::vector<std::string> wrapped;  ///< lines that were too long, cut at the width of the screen
 
   private:
     void add(char byte) {
@@ -94,7 +94,8 @@ class Screen {
     std::string escape;
 };
 
-/// Opens a pseudo terminal; negative on machines without any, as where /dev/pts is not mounted.
+/// Opens a pseudo terminal and returns its descriptor; negative on machines without any, for example where
+/// /dev/pts is not mounted.
 inline int open_pseudo_terminal() {
     const int terminal = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
     if (terminal < 0) return terminal;
@@ -103,7 +104,7 @@ inline int open_pseudo_terminal() {
     return -1;
 }
 
-/// Program on a pseudo terminal of the test; killed at the end of the scope if it still runs.
+/// Sherd on a pseudo terminal of the test; the destructor kills the program if it still runs.
 class TerminalProgram {
   public:
     TerminalProgram(std::vector<std::string> arguments, const std::filesystem::path& directory,
@@ -126,7 +127,8 @@ class TerminalProgram {
     TerminalProgram(const TerminalProgram&) = delete;
     TerminalProgram& operator=(const TerminalProgram&) = delete;
 
-    /// Reads its output until `enough(output since the last call)`, or until its end; ends of lines are "\n".
+    /// Reads and returns the program's output until `enough` returns true for the output since this call, or
+    /// until the program ends. Ends of lines are "\n".
     std::string read_until(const std::function<bool(const std::string&)>& enough) {
         std::string text;
         while (!enough(without_carriage(text)))
@@ -151,8 +153,8 @@ class TerminalProgram {
         if (ioctl(terminal, TIOCSWINSZ, &size) != 0) throw std::runtime_error("cannot resize the terminal");
     }
 
-    /// Resizes while the program is stopped, so that all earlier output has the old width. Returns this
-    /// output.
+    /// Resizes the terminal while the program is stopped, so that all earlier output has the old width.
+    /// Returns the part of this output that has not been read yet.
     std::string resize_at_rest(unsigned short columns) {
         kill(process, SIGSTOP);
         waitpid(process, nullptr, WUNTRACED);
@@ -164,7 +166,7 @@ class TerminalProgram {
         return without_carriage(text);
     }
 
-    int exit_code = -1;  ///< after its end; 128 + signal
+    int exit_code = -1;  ///< after the program's end; after a signal 128 + signal
 
   private:
     [[noreturn]] static void become(std::vector<std::string>& arguments,
@@ -189,7 +191,7 @@ class TerminalProgram {
         return text;
     }
 
-    /// Returns false when no process has the terminal open any more.
+    /// Adds output to `text`. Returns false when no process has the terminal open any more.
     bool read_some(std::string& text) const {
         std::array<char, 4096> buffer;
         ssize_t count;
@@ -206,7 +208,7 @@ class TerminalProgram {
         process = 0;
     }
 
-    int terminal;  ///< the test's end of it
+    int terminal;  ///< the test's end of the pseudo terminal
     pid_t process = 0;
 };
 

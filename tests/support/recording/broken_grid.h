@@ -30,8 +30,8 @@ inline Snapshot whole_sheet(const Positions& position, const std::vector<std::ar
     return frame;
 }
 
-/// columns x rows squares with sides of `edge`, each cut from its lower left to its upper right corner. The
-/// vertex in column x and row y has the number grid_vertex(rows, x, y).
+/// Vertex in column x and row y of grid_sheet(), a sheet of columns x rows squares with sides of `edge`, m. A
+/// diagonal from the lower left to the upper right corner divides each square.
 inline Index grid_vertex(Index rows, Index x, Index y) {
     return x * (rows + 1) + y;
 }
@@ -49,8 +49,9 @@ inline Snapshot grid_sheet(Index columns, Index rows, double edge = 1) {
     return whole_sheet(position, faces);
 }
 
-/// Disk about the origin: vertex 0 in the centre, and rings of `sectors` vertices at the radii 1, 2, ...,
-/// `rings`. Vertex `sector` of a ring, from 1, at the angle 2 pi sector / sectors is polar_vertex().
+/// Vertex of polar_sheet() in a ring, from 1, at the angle 2 pi sector / sectors. The sheet is a disk about
+/// the origin, with vertex 0 in the centre and rings of `sectors` vertices at the radii 1, 2, ..., `rings`,
+/// m.
 inline Index polar_vertex(Index sectors, Index ring, Index sector) {
     return 1 + (ring - 1) * sectors + sector % sectors;
 }

@@ -13,7 +13,7 @@
 
 namespace sherd::test {
 
-/// Recorded synthetic run in a folder of its own.
+/// Test with a recording of synthetic_run() in a folder of its own.
 class Export : public ::testing::Test {
   protected:
     Export() : run(synthetic_run()) { record(run, folder.path / "run.h5"); }

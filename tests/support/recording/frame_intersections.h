@@ -10,7 +10,7 @@
 
 namespace sherd::test {
 
-/// Mesh of the frame, rebuilt from its faces, without those that do not fit a 2-manifold.
+/// Mesh of the frame, rebuilt from its faces, without faces that do not fit into a 2-manifold.
 inline Mesh frame_mesh(const Snapshot& frame) {
     Mesh mesh;
     for (Eigen::Index v = 0; v < frame.position.cols(); ++v)
@@ -19,11 +19,11 @@ inline Mesh frame_mesh(const Snapshot& frame) {
     return mesh;
 }
 
-/// Pairs of faces of a frame that intersect beyond what neighbours share.
+/// Pairs of faces of a frame that intersect not only in the vertices and edges that they share.
 struct FrameIntersections {
-    std::vector<std::array<Face, 2>> passing;  ///< through each other: must be empty
+    std::vector<std::array<Face, 2>> passing;  ///< pairs that pass through each other: must be empty
     std::size_t crack_faces =
-        0;  ///< at a split vertex, where crack faces (lips) coincide until they separate
+        0;  ///< number of pairs at a split vertex, where crack faces (lips) coincide until they separate
 };
 
 /// Finds the intersections by exact predicates.

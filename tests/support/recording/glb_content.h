@@ -51,7 +51,7 @@ struct Glb {
     const nlohmann::json& primitive(const nlohmann::json& node) const {
         return json["meshes"][node["mesh"].get<std::size_t>()]["primitives"][0];
     }
-    /// Output of the animation of a node's property.
+    /// Number of the accessor with the values that the animation gives to the property `path` of a node.
     std::size_t track(std::size_t node, const std::string& path) const {
         const nlohmann::json& animation = json["animations"][0];
         for (const nlohmann::json& channel : animation["channels"])

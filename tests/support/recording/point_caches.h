@@ -10,7 +10,8 @@
 
 namespace sherd::test {
 
-/// Bytes of numbers, in the byte orders of the two kinds of caches; written independently of the program.
+/// Bytes of numbers, in the byte order of a kind of point cache: PC2 is little-endian, MDD big-endian.
+/// Written independently of the program.
 class CacheBytes {
   public:
     explicit CacheBytes(bool big_endian) : big_endian(big_endian) {}

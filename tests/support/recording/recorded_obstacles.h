@@ -5,14 +5,14 @@
 
 namespace sherd::test {
 
-/// Tetrahedron of some 6 cm, with a name that no path in a file could have.
+/// Tetrahedron, some 6 cm in size, with a name that no path in a file could have.
 inline RecordedObstacle tetrahedron() {
     return {"a/b \"anvil\"",
             {{{0, 0, 0}, {0.06, 0, 0}, {0, 0.06, 0}, {0, 1.0 / 17, 0.06}},
              {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}}};
 }
 
-/// Plane with a square of 40 cm.
+/// Plane, recorded as a square with sides of 40 cm.
 inline RecordedObstacle floor_plane() {
     return {"floor",
             {{{-0.2, -0.2, 0}, {0.2, -0.2, 0}, {0.2, 0.2, 0}, {-0.2, 0.2, 0}}, {{0, 1, 2}, {0, 2, 3}}},

@@ -9,7 +9,8 @@
 
 namespace sherd::test {
 
-/// Rubber sheet that is only a surface for SheetContact. thickness: [V] m. body: [V] number of the sheet.
+/// Rubber sheet, with what SheetContact needs of it. thickness: [V] m. body: [V] number of each vertex's
+/// sheet.
 inline Shell bare_sheet(const Positions& rest, const Positions& position,
                         const std::vector<std::array<Index, 3>>& triangles,
                         const std::vector<double>& thickness, const std::vector<Index>& body) {
@@ -30,8 +31,8 @@ inline Shell bare_sheet(const Positions& rest, const Positions& position,
     return shell;
 }
 
-/// Sheets of a frame as such a surface. Vertices that a crack has split count as coincident, however far
-/// apart.
+/// Sheets of a recorded frame, as a bare_sheet(). Copies of a vertex that a crack has split are exempt from
+/// contact with each other, however far apart they are.
 inline Shell recorded_sheet(const Snapshot& frame) {
     const std::size_t count = frame.position.cols();
     Positions rest(3, count);

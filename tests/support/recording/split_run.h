@@ -8,7 +8,7 @@
 
 namespace sherd::test {
 
-/// Synthetic run in which a crack splits faces. Three triangles lie side by side,
+/// Synthetic run in which a crack splits faces. Three triangles lie side by side, with numbers of vertices,
 ///
 ///     3 --- 2 .
 ///     | B / |  .      A = 0 1 2, 1 mm thick,
@@ -16,14 +16,15 @@ namespace sherd::test {
 ///     | / A |     .   C = 1 4 2, 2 mm.
 ///     0 --- 1 ---- 4
 ///
-/// Frame 0: the rest shape. 1: the crack has split A and B at m, a quarter of the way from 0 to 2; it is
-/// still closed. 2: it has opened from 1 over m to 3, so that the piece with 0 moves away from the one with 2
-/// and 4, and a vertex is inserted inside C. 3: the parts of A and B beside 2 are split again, between m
-/// and 2. 4: nothing is inserted. Each piece moves rigidly.
+/// Frame 0 is the rest shape. In frame 1 the crack has split A and B at the new vertex m, at a quarter of the
+/// edge from 0 to 2; the crack is still closed. In frame 2 the crack has opened from 1 over m to 3, so that
+/// the piece with vertex 0 moves away from the piece with vertices 2 and 4, and a vertex is inserted inside
+/// C. In frame 3 the parts of A and B at vertex 2 are split again, between m and 2. Before frame 4 nothing is
+/// inserted. Each piece moves rigidly.
 namespace split {
 
-inline constexpr Index a = 0, b = 1, c = 2;                   // faces
-inline constexpr Index m = 5, right_m = 7, in_c = 9, n = 10;  // vertices
+inline constexpr Index a = 0, b = 1, c = 2;                   // numbers of faces
+inline constexpr Index m = 5, right_m = 7, in_c = 9, n = 10;  // numbers of vertices
 inline constexpr double density = 1000;
 
 struct VertexParents {
@@ -31,7 +32,7 @@ struct VertexParents {
     std::array<double, 3> weights;
 };
 
-/// Parents of all vertices of the run; 6, 7 and 8 are the copies of 1, m and 3.
+/// Parents of all vertices of the run. Vertices 6, 7 and 8 are the copies of 1, m and 3.
 inline const std::vector<VertexParents>& parents_of_vertices() {
     static const std::vector<VertexParents> all{
         {{0, 0, 0}, {1, 0, 0}},         {{1, 1, 1}, {1, 0, 0}},        {{2, 2, 2}, {1, 0, 0}},
@@ -65,7 +66,7 @@ inline Vector3d between_parents(const Positions& values, Index vertex) {
     return sum;
 }
 
-/// Faces of each frame and their parents in the unfractured mesh.
+/// Faces of a frame, their parents in the unfractured mesh, and the frame's edges.
 struct Topology {
     std::vector<std::array<Index, 3>> faces;
     std::vector<Index> parent;
@@ -114,7 +115,7 @@ inline std::vector<Index> originals(std::size_t vertices) {
     return original;
 }
 
-/// Motion of a piece (0: with vertex 0, 1: the other one).
+/// Motion of a piece in a frame. piece: 0 has vertex 0, 1 is the other piece.
 inline Eigen::Isometry3d motion(std::size_t frame, Index piece) {
     const auto k = static_cast<double>(frame);
     const double side = frame < 2 ? 0 : piece == 0 ? -1 : 1;

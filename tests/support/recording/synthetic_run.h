@@ -16,15 +16,15 @@ namespace sherd::test {
 struct SyntheticRun {
     RecordingHeader header;
     std::vector<Snapshot> frames;
-    std::vector<std::vector<StepReport>> steps;  ///< before each frame
-    std::vector<CrackEvents> events;             ///< before each frame
+    std::vector<std::vector<StepReport>> steps;  ///< steps[k]: reports of the steps before frame k
+    std::vector<CrackEvents> events;             ///< events[k]: events before frame k
 };
 
 namespace synthetic {
 
 inline constexpr Index columns = 12, rows = 4, columns_per_fragment = 3;
 
-/// Values with all bits in use, and some that a text would not preserve.
+/// Numbers with all bits in use, and some that a text would not preserve.
 inline double number(Index i, Index k) {
     if (i % 17 == 3) return -0.0;
     if (i % 19 == 5) return std::numeric_limits<double>::denorm_min() * (k + 1);
@@ -241,7 +241,7 @@ inline SyntheticRun synthetic_run() {
     return run;
 }
 
-/// Records `run` into `file`, complete.
+/// Records `run` into `file`, as a complete recording.
 inline void record(const SyntheticRun& run, const std::filesystem::path& file) {
     RecordingWriter writer(file, run.header, false);
     for (std::size_t k = 0; k < run.frames.size(); ++k)

@@ -12,7 +12,8 @@
 
 namespace sherd::test {
 
-/// Reads the numbers of an array of a .vtp: sizes in base64, followed by zlib blocks in base64.
+/// Reads the numbers of an array in the text of a .vtp file: block sizes in base64, followed by zlib blocks
+/// in base64.
 template <class T>
 std::vector<T> vtp_array(const std::string& vtp, const std::string& type, const std::string& name) {
     const std::size_t tag = vtp.find("<DataArray type=\"" + type + "\" Name=\"" + name + "\"");

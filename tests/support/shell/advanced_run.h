@@ -23,7 +23,8 @@ inline RecordingHeader advanced_header(const Snapshot& first) {
     return header;
 }
 
-/// Frames of a sheet that changes and fractures. linear: map from the rest shape to the positions.
+/// Frames of a sheet in which Advances makes edges and lets some fail. linear: map from the rest shape to the
+/// positions.
 inline std::vector<Snapshot> advanced_frames(unsigned shape, unsigned seed, const Matrix3d& linear) {
     BreakableShell sheet({directed_input(shape, seed)});
     Fragments fragments(sheet.mesh(), sheet.face_areas());

@@ -14,7 +14,7 @@ inline double linear_thickness(const Eigen::Vector3d& at) {
     return 0.01 + 0.002 * at.x() + 0.003 * at.y() - 0.001 * at.z();
 }
 
-/// Sheet of drawn_sheet() with an orthotropic material and strength; of uneven thickness for odd seeds.
+/// Sheet of drawn_sheet() with an orthotropic material and strength, and for odd seeds with uneven thickness.
 inline SheetInput directed_input(unsigned shape, unsigned seed) {
     SheetInput input;
     input.mesh = drawn_sheet(shape, seed);
@@ -36,8 +36,8 @@ inline SheetInput directed_input(unsigned shape, unsigned seed) {
     return input;
 }
 
-/// Returns the sheet rebuilt from its present mesh and thickness. Edges that have failed without opening
-/// fail.
+/// Returns the sheet rebuilt from its present mesh and thickness. Edges of the sheet that have failed without
+/// opening fail in the result, too.
 inline BreakableShell rebuilt(const BreakableShell& sheet, SheetInput input) {
     input.mesh = sheet.mesh();
     input.axes.assign(sheet.axes().begin(), sheet.axes().end());
@@ -54,12 +54,12 @@ inline BreakableShell rebuilt(const BreakableShell& sheet, SheetInput input) {
     return anew;
 }
 
-/// Makes edges in a sheet, which may then fail, from crack tips or from any vertex.
+/// Makes edges in a sheet at random, from crack tips or from any vertex, and lets edges fail.
 class Advances {
   public:
     Advances(BreakableShell& sheet, unsigned seed) : sheet(sheet), random(seed) {}
 
-    /// Returns nothing if the direction points off the sheet.
+    /// Makes an edge, which does not fail yet. Returns nothing if its direction points off the sheet.
     std::optional<BreakableShell::Advanced> next() {
         const Vertex tip = chosen_tip();
         Vector3d direction = random.matrix<Vector3d>(1);
@@ -71,7 +71,7 @@ class Advances {
         options.snap = random.below(4) > 0;
         return sheet.advance(tip, direction, options);
     }
-    /// Lets the edge fail, if it can.
+    /// Lets the edge fail. Returns nothing if it has already failed or is on the boundary.
     std::optional<BreakableShell::Change> fail(Halfedge h) {
         const Edge edge = sheet.mesh().edge(h);
         if (sheet.cracks().state(edge) != EdgeState::interior) return std::nullopt;

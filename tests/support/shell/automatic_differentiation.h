@@ -7,7 +7,7 @@
 
 namespace sherd::test {
 
-/// Scalars with first, and with first and second, derivatives by N variables.
+/// Scalar with its first derivatives by N variables; and, below, scalar with first and second derivatives.
 template <int N>
 using Gradient = Eigen::AutoDiffScalar<Eigen::Matrix<double, N, 1>>;
 template <int N>
@@ -21,15 +21,15 @@ struct Derivatives {
     Eigen::Matrix<double, N, N> hessian;
 };
 
-/// Differentiates `f`, which takes a Matrix<Curved<N>, rows, columns> and returns a Curved<N>, at x;
-/// coordinate fastest.
+/// Differentiates `f`, which takes a Matrix<Curved<N>, rows, columns> and returns a Curved<N>, at x. The
+/// entries of x are numbered column by column.
 template <class Function, int Rows, int Columns>
 Derivatives<Rows * Columns> differentiate(const Function& f, const Eigen::Matrix<double, Rows, Columns>& x) {
     constexpr int N = Rows * Columns;
     Eigen::Matrix<Curved<N>, Rows, Columns> variables;
     for (int i = 0; i < N; ++i) {
         variables(i) = Curved<N>(Gradient<N>(x(i), N, i), N, i);
-        for (int j = 0; j < N; ++j)  // the derivatives are constants
+        for (int j = 0; j < N; ++j)  // the first derivatives are constants
             variables(i).derivatives()(j).derivatives().setZero();
     }
     const Curved<N> y = f(variables);

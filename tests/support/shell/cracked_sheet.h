@@ -17,17 +17,17 @@
 
 namespace sherd::test {
 
-// Crack from -a to a on the x axis in an infinite sheet, isotropic with Young's modulus 1 (source:
-// Muskhelishvili, Some Basic Problems of the Mathematical Theory of Elasticity, 1953).
+// Solutions for a crack from -a to a on the x axis in an infinite sheet, isotropic with Young's modulus 1
+// (source: Muskhelishvili, Some Basic Problems of the Mathematical Theory of Elasticity, 1953).
 
 using Complex = std::complex<double>;
 
-/// sqrt(z^2 - a^2), cut between -a and a only.
+/// sqrt(z^2 - a^2), with a branch cut only between -a and a.
 inline Complex crack_root(Complex z, double a) {
     return std::sqrt(z - a) * std::sqrt(z + a);
 }
 
-/// Displacement, m, in plane stress under the remote stress (xx, yy, xy).
+/// Displacement, m, at the point `at` in plane stress under the remote stress (xx, yy, xy).
 inline Vector2d crack_displacement(const Vector2d& at, double a, double poisson, const Vector3d& stress) {
     const Complex z(at.x(), at.y()), traction(stress[1], -stress[2]);
     const Complex uniform((stress[1] - stress[0]) / 2, -stress[2]);
@@ -40,7 +40,7 @@ inline Vector2d crack_displacement(const Vector2d& at, double a, double poisson,
     return {u.real(), u.imag()};
 }
 
-/// Deflection, m, of a Kirchhoff plate with the remote curvature (xx, yy, xy), 1/m.
+/// Deflection, m, at the point `at` of a Kirchhoff plate with the remote curvature (xx, yy, xy), 1/m.
 inline double crack_deflection(const Vector2d& at, double a, double poisson, const Vector3d& curvature) {
     const Complex z(at.x(), at.y()), root = crack_root(z, a);
     const double kappa = (3 + poisson) / (1 - poisson), mean = (curvature[0] + curvature[1]) / 4;
@@ -52,8 +52,8 @@ inline double crack_deflection(const Vector2d& at, double a, double poisson, con
     return ((std::conj(z) - z) * phi + of_phi + of_omega).real();
 }
 
-/// Deflection, m, near the tip of a crack on the negative x axis, of a plate with Young's modulus 1: the
-/// field of plate_field().
+/// Deflection, m, of a plate with Young's modulus 1 near the tip of a crack on the negative x axis, with the
+/// field of plate_field(). first, second: its factors k_1 and k_2.
 inline double tip_deflection(const Vector2d& at, double poisson, double thickness, double first,
                              double second) {
     const double kappa = (3 + poisson) / (1 - poisson);
@@ -62,18 +62,18 @@ inline double tip_deflection(const Vector2d& at, double poisson, double thicknes
     return (-(std::conj(z) - z) * c / kappa * root + 2.0 / 3 * (std::conj(c) - c / kappa) * z * root).real();
 }
 
-/// Square sheet, 6 m from its centre to its sides, about the origin, with a crack from -1 to 1 on the x axis,
-/// its tips and material.
+/// Square sheet about the origin, 6 m from the centre to the sides, with a crack on the x axis (from -1 to 1
+/// in cracked_sheet()).
 struct CrackedSheet {
     Shell shell;
-    std::vector<CrackTip> tips;  ///< at -1, and at 1
+    std::vector<CrackTip> tips;  ///< from left to right
     Material material;
 };
 
 inline constexpr double half_width = 6;
 inline const Material cracked_material{.density = 1, .thickness = 0.01, .young = 1, .poisson = 0.3};
 
-/// Flags [V] of vertices on the outline, or nearer to it than `margin`.
+/// Flags [V] of vertices on the outline, or nearer to it than `margin`, m.
 inline std::vector<char> near_outline(const Shell& shell, double margin) {
     std::vector<char> is_near(shell.rest.cols());
     for (Index v = 0; v < shell.rest.cols(); ++v)
@@ -81,7 +81,7 @@ inline std::vector<char> near_outline(const Shell& shell, double margin) {
     return is_near;
 }
 
-/// Returns the tips at the given places, which are all tips of the sheet.
+/// Returns the tips at the given places. The sheet must have no others.
 inline std::vector<CrackTip> tips_at(const Shell& shell, const std::vector<Vector3d>& places) {
     const VertexFaces around(shell);
     std::vector<char> foreign = near_outline(shell, 1e-9);
@@ -112,7 +112,7 @@ inline BreakableShell sheet_of(const Mesh& mesh, const Material& material = crac
     return BreakableShell({input});
 }
 
-/// slit: its two ends on the x axis. Tips are at the ends within the sheet.
+/// Sheet with a slit along the x axis. slit: x of its two ends, m. Ends within the sheet are tips.
 inline CrackedSheet slit_sheet(double edge_length, unsigned seed, std::array<double, 2> slit) {
     const Mesh mesh = square_mesh(edge_length, seed, {{{slit[0], 0}, {slit[1], 0}}});
     CrackedSheet sheet{sheet_of(mesh).mechanics(), {}, cracked_material};
@@ -137,7 +137,8 @@ inline CrackedSheet zigzag_sheet(double edge_length, unsigned seed) {
     return sheet;
 }
 
-/// Place at rest; on the x axis its y is 0 or -0 for a vertex of faces above or below.
+/// Place of a vertex at rest. On the x axis, where the two crack faces coincide, its y is 0 if the vertex
+/// belongs to faces above, and -0 if to faces below.
 inline Vector2d sided_place(const Shell& shell, const VertexFaces& around, Index vertex) {
     Vector2d at = shell.rest.col(vertex).head<2>();
     double above = 0;
@@ -147,8 +148,8 @@ inline Vector2d sided_place(const Shell& shell, const VertexFaces& around, Index
     return at;
 }
 
-/// Equilibrium of some energies, with fixed vertices moved by `displacement`, and the others free along the
-/// directions of `guide`.
+/// Positions in equilibrium under some energies. Vertices that are `fixed` are moved by `displacement`, all
+/// others are free to move along the directions of `guide`.
 template <class Displacement>
 Positions equilibrium(Shell shell, const std::vector<char>& fixed, const Matrix3d& guide,
                       const std::vector<Energy*>& energies, Displacement displacement) {
@@ -170,7 +171,7 @@ Positions equilibrium(Shell shell, const std::vector<char>& fixed, const Matrix3
     return x;
 }
 
-/// Positions of the sheet under a remote stress (xx, yy, xy), as a share of Young's modulus: the outline is
+/// Positions of the sheet under a remote stress (xx, yy, xy), in units of Young's modulus. The outline is
 /// moved as in an infinite sheet.
 inline Positions stretched(const CrackedSheet& sheet, const Vector3d& stress) {
     MembraneEnergy membrane(sheet.shell.triangles);
@@ -182,8 +183,8 @@ inline Positions stretched(const CrackedSheet& sheet, const Vector3d& stress) {
                        });
 }
 
-/// Positions of the sheet with a remote curvature (xx, yy, xy), 1/m, linearly: the outer rows, `margin` wide,
-/// are moved as in an infinite sheet.
+/// Positions of the sheet with a remote curvature (xx, yy, xy), 1/m, by linear theory. A strip along the
+/// outline, `margin` m wide, is moved as in an infinite sheet.
 inline Positions bent(const CrackedSheet& sheet, double margin, const Vector3d& curvature) {
     CoupledBending bending(sheet.shell, {});
     return equilibrium(sheet.shell, near_outline(sheet.shell, margin), Vector3d(0, 0, 1).asDiagonal(),

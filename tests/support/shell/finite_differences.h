@@ -25,7 +25,7 @@ Matrix difference_gradient(const Function& value, const Matrix& x, double step) 
     return gradient;
 }
 
-/// Hessian from `gradient`, by central differences; coordinate fastest.
+/// Hessian from `gradient`, by central differences. The entries of x are numbered column by column.
 template <class Function, class Matrix>
 auto difference_hessian(const Function& gradient, const Matrix& x, double step) {
     constexpr int size = Matrix::SizeAtCompileTime;

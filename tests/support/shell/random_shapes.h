@@ -35,7 +35,8 @@ class Random {
     std::mt19937 generator;
 };
 
-/// Hinge of dihedral angle `angle` over an edge of length 1 along x, with apexes at (a0, h0) and (a1, h1).
+/// Hinge of dihedral angle `angle` over an edge of length 1 along x. Apex i is at height h_i over the edge's
+/// line, at a_i along it.
 inline HingePositions folded_hinge(double angle, double a0, double h0, double a1, double h1) {
     HingePositions x;
     x.col(0).setZero();

@@ -9,7 +9,7 @@
 
 namespace sherd::test {
 
-/// Sheet without a mesh: an edge with a hinge wherever two triangles share a side.
+/// Shell made without a mesh, with an edge and a hinge wherever two triangles share a side.
 inline Shell small_sheet(const Positions& rest, const std::vector<std::array<Index, 3>>& triangles,
                          const Material& material) {
     Shell shell;
@@ -49,7 +49,7 @@ inline Shell two_triangles(const Material& material) {
     return small_sheet(rest, {{0, 1, 2}, {0, 3, 1}}, material);
 }
 
-/// Whole block matrix, [3 V, 3 V].
+/// All entries of a symmetric block matrix, [3 V, 3 V].
 inline Eigen::MatrixXd dense(const BlockMatrix& matrix) {
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero(matrix.size(), matrix.size());
     for (Index c = 0; c < matrix.size(); ++c)
@@ -58,7 +58,7 @@ inline Eigen::MatrixXd dense(const BlockMatrix& matrix) {
     return result;
 }
 
-/// Checks gradient and exact Hessian against central differences, at x along random directions.
+/// Checks gradient and exact Hessian at x against central differences along random directions.
 inline void expect_derivatives(const Energy& energy, const Positions& x, double step, double relative) {
     std::vector<std::pair<Index, Index>> pairs;
     energy.add_pattern(pairs);

@@ -14,7 +14,8 @@ inline StepContext step_of(const Shell& shell, double begin, double length,
     return ImplicitEuler().begin(shell, bodies, begin, length);
 }
 
-/// Returns the energy, in a step of implicit Euler from the present state of the sheet.
+/// Returns the energy after its begin() for a step of implicit Euler from the present state of the sheet.
+/// begin, length: s.
 template <class E>
 E begun(E energy, const Shell& shell, double begin, double length) {
     energy.begin(step_of(shell, begin, length));

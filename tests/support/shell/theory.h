@@ -10,7 +10,8 @@
 
 namespace sherd::test {
 
-/// Material of rigidity 1 N m and 1 kg/m^2, so that results are plate theory's dimensionless numbers.
+/// Material with a bending rigidity of 1 N m and 1 kg/m^2, so that results are plate theory's dimensionless
+/// numbers.
 inline Material unit_plate(double poisson, double thickness) {
     const double rigidity_of_unit_young = std::pow(thickness, 3) / (12 * (1 - poisson * poisson));
     return {1 / thickness, thickness, 1 / rigidity_of_unit_young, poisson};
@@ -29,7 +30,8 @@ inline std::vector<char> select(const Shell& shell, const std::function<bool(con
     return selected;
 }
 
-/// Clamps the sides whose ends are selected; their ends become fixed.
+/// Clamps the boundary edges whose two ends are selected: fixes these vertices, and returns the hinges that
+/// hold the slope.
 inline std::vector<MirrorHinge> clamp(Shell& shell, const std::vector<char>& selected, double stiffness) {
     std::vector<MirrorHinge> hinges;
     for (std::size_t v = 0; v < selected.size(); ++v)
@@ -39,20 +41,20 @@ inline std::vector<MirrorHinge> clamp(Shell& shell, const std::vector<char>& sel
     return hinges;
 }
 
-/// Makes steps of implicit Euler far beyond the slowest period, which damp the vibration, until the sheet is
-/// at rest.
+/// Makes `steps` steps of implicit Euler, which damp vibrations, so that the sheet comes to rest. Their
+/// length, in `options`, must be far beyond the slowest period.
 inline void settle(Shell& shell, StepperOptions options, int steps) {
     options.tolerance = 1e-9;
     ImplicitStepper time_step(shell, options);
     for (int i = 0; i < steps; ++i) {
         time_step.begin();
-        time_step.position = shell.position;  // nearer to the end than the inertial prediction
+        time_step.position = shell.position;  // nearer to the solution than the inertial prediction
         time_step.solve(500);
         time_step.finish();
     }
 }
 
-/// Prints a row of the table in docs/theory/bending.md.
+/// Prints a row of the table in docs/theory/bending.md. percent: errors, %.
 inline void report(const char* what, const std::vector<double>& percent) {
     std::printf("%-44s", what);
     for (const double error : percent) std::printf(" %6.1f", error);

@@ -8,10 +8,10 @@
 
 namespace sherd::test {
 
-inline constexpr int patch_across = 5, patch_along = 7;  // vertices
+inline constexpr int patch_across = 5, patch_along = 7;  // numbers of vertices along y and x
 inline const Material patch_material{1000, 0.05, 12 / (0.05 * 0.05 * 0.05), 0.3};
 
-/// Rectangle of 1.2 by 0.8 with unequal triangles; each vertex is then put at place(x, y).
+/// Rectangle of 1.2 m by 0.8 m with unequal triangles; a vertex at (x, y) of it is put at place(x, y).
 template <class Place>
 Shell uneven_patch(Place place) {
     Positions rest(3, patch_along * patch_across);

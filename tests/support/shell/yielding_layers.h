@@ -7,7 +7,7 @@
 
 #include "core/vector.h"
 
-/// Bent sheet of steel, 1 mm thick, in layers: the reference for yielding sections.
+/// Bent sheet of steel, 1 mm thick, computed in layers: the reference for yielding sections. Units are SI.
 namespace sherd::test::yielding {
 
 inline constexpr double young = 2.1e11, poisson = 0.3, yield = 235e6, thickness = 0.001;
@@ -29,7 +29,7 @@ inline double mises(const Vector3d& s) {
     return std::sqrt(s[0] * s[0] + s[1] * s[1] - s[0] * s[1] + 3 * s[2] * s[2]);
 }
 
-/// Section in layers of perfectly plastic material, each with its own strain.
+/// Section in layers of perfectly plastic material, each with its own plastic strain.
 class Layers {
   public:
     Vector3d bend(const Vector3d& curvature) {
@@ -43,13 +43,14 @@ class Layers {
         return moment;
     }
 
-    /// Curvature that remains of `curvature` when the section, which bears `moment`, is released.
+    /// Curvature that remains when a section of this `curvature`, which bears `moment`, is released.
     static Vector3d plastic_curvature(const Vector3d& curvature, const Vector3d& moment) {
         return curvature - rigidity().inverse() * moment;
     }
 
   private:
-    /// Stress within the yield surface that is nearest in energy, by bisection.
+    /// Stress within the yield surface that is nearest in energy to the elastic stress of `strain`, by
+    /// bisection.
     static Vector3d returned(const Vector3d& strain) {
         if (Vector3d trial = plane_stress() * strain; mises(trial) <= yield) return trial;
         const Matrix3d form{{1, -0.5, 0}, {-0.5, 1, 0}, {0, 0, 3}}, compliance = plane_stress().inverse();

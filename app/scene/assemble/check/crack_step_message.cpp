@@ -12,7 +12,7 @@ namespace sherd {
 std::string crack_step_message(const Scene& scene, const BreakableShell& sheets) {
     const std::optional<double> longest = resolving_step(sheets);
     if (scene.is_static() || !longest) return {};
-    const bool by_turns = scene.simulation.alternates;  // then cracks propagate in explicit steps
+    const bool by_turns = scene.simulation.alternates;  // cracks then propagate in explicit steps
     const bool is_explicit = by_turns || scene.simulation.stepper.scheme == Scheme::explicit_differences;
     const double step = by_turns ? std::min(scene.simulation.stepper.step, scene.simulation.explicit_step)
                                  : scene.simulation.stepper.step,

@@ -9,15 +9,15 @@
 
 namespace sherd {
 
-/// Rounds a step (s) down to one significant digit, to be written into a scene.
+/// Returns a step (s) rounded down to one significant digit, to be written into a scene.
 inline double round_step(double longest) {
     const double digit = std::pow(10.0, std::floor(std::log10(longest)));
     return std::floor(longest / digit + 1e-9) * digit;
 }
 
-/// Message on how far cracks by toughness may propagate in a step of the scene, and on the step that resolves
-/// them edge by edge (resolving_step()). Empty in statics, without a toughness, and where explicit steps are
-/// short enough.
+/// Returns a message on the number of edges by which a crack may grow in a step of the scene if a toughness
+/// governs its growth, and on the step at which it grows edge by edge (resolving_step()). Returns "" in
+/// statics, without a toughness, and if explicit steps are short enough.
 std::string crack_step_message(const Scene& scene, const BreakableShell& sheets);
 
 }  // namespace sherd

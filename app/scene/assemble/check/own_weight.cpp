@@ -10,11 +10,13 @@
 namespace sherd {
 namespace {
 
-constexpr double borne_at_once =
-    0.5;                     // share of a strength: sudden loads reach twice the strain of slow ones
-constexpr double slow = 10;  // periods of the slowest vibration, in which a load grows as in statics
+/// Largest share of the strength that the static stress may take without a warning: a load that acts at once
+/// causes twice the strain of a load that grows slowly.
+constexpr double borne_at_once = 0.5;
+/// Periods of the slowest vibration over which a load must grow to act as in statics.
+constexpr double slow = 10;
 
-/// Returns a scene of statics that has this sheet and its weight only.
+/// Returns a static scene with this sheet alone, which bears its own weight only.
 Scene alone(const Scene& scene, const SheetSpec& sheet) {
     Scene result = scene;
     result.sheets = {sheet};
@@ -33,7 +35,9 @@ Scene alone(const Scene& scene, const SheetSpec& sheet) {
     return result;
 }
 
-/// Returns the largest measure over strength under the weight: 0 where statics do not end.
+/// Returns the share of its strength that the sheet's weight takes in statics: the largest ratio of a hinge's
+/// measure to its strength, or, if a hinge fails under a part of the weight, the reciprocal of that part.
+/// Returns 0 if statics fail.
 double overload(const Scene& scene, const SheetSpec& sheet, SheetInput input) try {
     std::vector<std::string> ignored;
     input.velocity = input.spin = Vector3d::Zero();

@@ -18,22 +18,26 @@
 namespace sherd {
 namespace {
 
-// Limits on a sheet's size over its thickness; larger for cloth, paper and foil, which are thin.
+// Limits on the ratio of a sheet's size to its thickness. The upper one is larger for foils, which include
+// cloth and paper.
 constexpr double most_of_plates = 2000, most_of_foils = 20000, least = 5;
-constexpr double foil = 1e-3;              // m
+constexpr double foil = 1e-3;              // m, thickness up to which a sheet is a foil
 constexpr double most_short_edges = 0.05;  // share of the edges that may be shorter than the thickness
+                                           // without a warning
 
-constexpr double most_locked_faces = 0.05;  // share of the faces that may lock
+constexpr double most_locked_faces = 0.05;  // share of the faces that may lock without a warning
 
-constexpr double smallest_edge = 0.02;  // share of the mean edge
-constexpr double coarsest_edge = 0.25;  // share of the sheet's size
-constexpr double advised_edge = 0.03;   // share of the sheet's size
-constexpr double steps_a_period = 10;   // for the slowest vibration: its first peak is then 39 % low
+constexpr double smallest_edge = 0.02;  // least edge length without a warning, as a share of the mean one
+constexpr double coarsest_edge = 0.25;  // share of the sheet's size: longer edges are reported
+constexpr double advised_edge = 0.03;   // share of the sheet's size: edge length to advise
+/// Least number of steps in a period of the slowest vibration, whose first peak is then 39 % too low.
+constexpr double steps_a_period = 10;
 
-/// Least and largest credible strains at fracture: no solid fractures at a millionth; none as stiff as wood
-/// or stiffer withstands a fifth (whiskers and fibres: a tenth), and none at all ten.
+/// Smallest and largest credible strains at fracture. No solid fractures below a strain of 1e-6. No solid as
+/// stiff as wood, or stiffer, withstands 0.2 (whiskers and fibres withstand 0.1), and no solid at all
+/// withstands 10.
 constexpr double weakest = 1e-6, strongest_stiff = 0.2, strongest = 10;
-constexpr double stiff = 1e9;  // Pa
+constexpr double stiff = 1e9;  // Pa, Young's modulus from which on a material is stiff
 
 void warn_of_size(const SheetInput& input, const SheetSpec& sheet, std::vector<std::string>& warnings) {
     const MeshMeasures mesh = measure(input.mesh);
@@ -54,7 +58,7 @@ void warn_of_size(const SheetInput& input, const SheetSpec& sheet, std::vector<s
                                    advice));
 }
 
-/// Warns of speeds of sound, m/s, below that of the softest gels or above that of diamond.
+/// Warns of a material in which sound is slower than in the softest gels, or faster than in diamond.
 void warn_of_material(const SheetInput& input, const SheetSpec& sheet, std::vector<std::string>& warnings) {
     constexpr double slowest = 1, fastest = 25000;
     const double speed = std::sqrt(mean_young(input.material) / input.material.density);
@@ -106,7 +110,8 @@ void warn_of_long_edges(const SheetInput& input, const SheetSpec& sheet, std::ve
                     sheet.where, sheet.name, mesh.largest_edge, size, round_step(size * advised_edge)));
 }
 
-/// Whether edge lengths and angles between faces exclude locking: a cheap sufficient test.
+/// Whether the longest edge and the largest angle between adjacent faces exclude locking. The test is cheap;
+/// a mesh that fails it need not lock.
 bool surely_free_of_locking(const SheetInput& input) {
     const Mesh& mesh = input.mesh;
     const auto normal = [&](Face face) {
@@ -160,7 +165,7 @@ void warn_of_long_step(const SheetInput& input, const SheetSpec& sheet, const Sc
                     sheet.where, scene.simulation.stepper.step, sheet.name, period, period / steps_a_period));
 }
 
-/// Surface strain at which a threshold is reached.
+/// Returns the strain at the surface at which a hinge's measure reaches `threshold`.
 double strain_at(double threshold, const SheetInput& input) {
     if (input.strength.measure == Measure::stress) return threshold / mean_young(input.material);
     return threshold * input.material.thickness / 2;
@@ -177,8 +182,8 @@ void warn_of_threshold(const SheetInput& input, const SheetSpec& sheet, std::vec
     const auto& [along, across] = std::pair(input.strength.along, input.strength.across);
     double low = std::min(along, across), high = std::max(along, across);
     if (const auto range = factor_range(input.strength.factors)) {
-        // Low and high limits of all edges: a map may contain the strengths themselves, and lines may be
-        // scored or unbreakable.
+        // `low` and `high` become the limits over all edges: a map may contain the strengths themselves, as
+        // factors of a strength of 1, and lines may be scored or unbreakable.
         high *= range->most;
         low *= range->least;
     }
@@ -198,8 +203,8 @@ void warn_of_threshold(const SheetInput& input, const SheetSpec& sheet, std::vec
                                : "strain is in 1/m: strain of the surface over half the thickness"));
 }
 
-/// Upper bound, m/s, of the speed at which a sheet and anything that it may touch approach each other at the
-/// start.
+/// Returns an estimate, m/s, of the largest speed at which a sheet approaches an obstacle, a free body or
+/// another sheet at the start. Motions of obstacles, and spins of bodies and other sheets, do not count.
 double approach(std::size_t sheet, const Scene& scene, const std::vector<SheetInput>& inputs,
                 const SimulationOptions& options) {
     const SheetInput& input = inputs[sheet];
@@ -228,7 +233,7 @@ void warn_of_long_paths(const Scene& scene, const std::vector<SheetInput>& input
     }
 }
 
-/// Warns of the caches of deforming obstacles.
+/// Warns of caches of deforming obstacles that do not match the scene's duration.
 void warn_of_deforming(const Scene& scene, const SimulationOptions& options,
                        std::vector<std::string>& warnings) {
     for (std::size_t o = 0; o < scene.obstacles.size(); ++o) {
@@ -238,7 +243,8 @@ void warn_of_deforming(const Scene& scene, const SimulationOptions& options,
     }
 }
 
-/// Warns of sheets far from the origin, where the spacing of doubles is a noticeable strain.
+/// Warns of a sheet so far from the origin that the spacing of doubles there is a noticeable strain of its
+/// edges.
 void warn_of_distance(const SheetInput& input, const SheetSpec& sheet, std::vector<std::string>& warnings) {
     double farthest = 0;
     for (const Vertex v : input.mesh.vertices())

@@ -13,8 +13,8 @@ namespace sherd {
 /// their thickness, such as a mesh that was not scaled; material constants and strengths that no material
 /// has; edges that are shorter than the thickness, or so long that a curved sheet locks; steps that are too
 /// long for vibrations and motions; positions so far from the origin that round-off matters; caches that do
-/// not match the duration; and obstacles that nothing can reach. Inputs and options are those of the scene,
-/// in its order.
+/// not match the duration; and obstacles that nothing can reach. inputs, options: made from the scene, in its
+/// order.
 void warn_of_implausible(const Scene& scene, const std::vector<SheetInput>& inputs,
                          const SimulationOptions& options, std::vector<std::string>& warnings);
 

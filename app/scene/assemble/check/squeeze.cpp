@@ -18,25 +18,27 @@ namespace sherd {
 namespace {
 
 constexpr int moments_beside_keys = 200;
-constexpr int looks = 16;  // moments before the gap is narrow at which sheets between are searched for
-constexpr double noticed_squeeze = 1e-2;  // share of the thickness
-constexpr double bend_slack = 0.05;       // share of a sheet's size, for its bending in flight
-constexpr double needle_width = 1e-6;     // share of its length
+/// Number of moments, before the gap between two obstacles is too narrow, at which the sheet is searched for
+/// in the gap.
+constexpr int looks = 16;
+constexpr double noticed_squeeze = 1e-2;  // share of the thickness: a gap narrower by more is reported
+constexpr double bend_slack = 0.05;       // share of a sheet's size, added for its bending in flight
+constexpr double needle_width = 1e-6;     // width of a needle, as a share of its length
 
-/// A sheet at its start, as an object between two obstacles.
+/// A sheet at the start, which may get between two obstacles.
 struct Between {
-    std::vector<Vector3d> points;                 ///< m
+    std::vector<Vector3d> points;                 ///< m, vertices of the sheet
     std::vector<std::array<Index, 3>> triangles;  ///< without triangles pinned at all three vertices
     Vector3d velocity, gravity;                   ///< m/s, m/s^2; zero for a supported sheet
-    double thickness;                             ///< m, smallest
+    double thickness;                             ///< m, smallest thickness of the sheet
 
     Vector3d flown(double time) const { return time * velocity + 0.5 * time * time * gravity; }
 };
 
-/// A point of one obstacle that comes too near to the other.
+/// A point of the first obstacle of a Pair that comes too near to the second.
 struct NarrowPoint {
-    Index point;    ///< index in Pair::points_at()
-    Vector3d foot;  ///< m, nearest point of the other obstacle, in its frame
+    Index point;    ///< column of Pair::points_at()
+    Vector3d foot;  ///< m, nearest point of the second obstacle at the time `first`, in its frame
     double first;   ///< s, first moment at which the gap is too narrow
     double gap;     ///< m, least gap
     double time;    ///< s, moment of the least gap
@@ -46,10 +48,10 @@ std::optional<NarrowPoint> narrower(const std::optional<NarrowPoint>& one, const
     return one && one->gap <= other.gap ? one : other;
 }
 
-/// Two obstacles, with points on the surface of the first.
+/// Two obstacles, and points on the surface of the first, `one`.
 struct Pair {
     const Obstacle *one, *other;
-    Positions added;  ///< m, further points of the first's surface, in its frame
+    Positions added;  ///< m, further points of the surface of `one`, in its frame
 
     Positions points_at(double time) const {
         Positions placed = one->motion.at(time) * added;
@@ -73,7 +75,8 @@ Between between(const SheetInput& input, const SheetSpec& sheet, const Vector3d&
     return found;
 }
 
-/// The points of a shape that are nearest to the middles of a sheet's faces, in the shape's frame.
+/// Returns the points of an obstacle's surface that are nearest to the middles of a sheet's faces at the
+/// start, in the obstacle's frame.
 Positions feet(const Between& sheet, const Obstacle& obstacle) {
     std::vector<Vector3d> feet;
     const Eigen::Isometry3d back = obstacle.motion.at(0).inverse();
@@ -97,7 +100,8 @@ std::vector<double> moments_of(const Pair& pair, double end) {
     return times;
 }
 
-/// All points of the first obstacle that come nearer to the other than `least` (m).
+/// Returns all points of the first obstacle that come nearer to the second than `least` (m) at one of the
+/// times (s).
 std::vector<NarrowPoint> narrow_points(const Pair& pair, std::span<const double> times, double least) {
     std::vector<std::optional<NarrowPoint>> found;
     Eigen::AlignedBox3d near = pair.other->shape->bounds();
@@ -123,7 +127,8 @@ std::vector<NarrowPoint> narrow_points(const Pair& pair, std::span<const double>
     return narrow;
 }
 
-/// Adds the line between two points that will come together, as a thin triangle that a sheet may cross.
+/// Adds a needle, a thin triangle along the line between two points that come together later. If a sheet
+/// intersects the needle, it is between the points.
 void add_needle(Mesh& needles, const Vector3d& from, const Vector3d& to) {
     const Vector3d aside = needle_width * (to - from).norm() * (to - from).unitOrthogonal();
     const Vertex a = needles.add_vertex(point_at(from)), b = needles.add_vertex(point_at(to)),
@@ -131,8 +136,9 @@ void add_needle(Mesh& needles, const Vector3d& from, const Vector3d& to) {
     needles.add_face(a, b, c);
 }
 
-/// Narrowest of the points for which the sheet, displaced by `shift`, lies between point and foot at a
-/// moment.
+/// Returns, among the points for which the sheet is between the point and its foot at `time` (s), the point
+/// with the narrowest gap; none if there is no such point. Points whose gap is too narrow before `time` do
+/// not count. shift: m, displacement of the sheet since the start.
 std::optional<NarrowPoint> crossed(const Pair& pair, const std::vector<NarrowPoint>& narrow,
                                    const Between& sheet, double time, const Vector3d& shift) {
     Mesh needles;
@@ -151,7 +157,8 @@ std::optional<NarrowPoint> crossed(const Pair& pair, const std::vector<NarrowPoi
     return worst;
 }
 
-/// The narrowest point crossed by the sheet, at the first moment at which there is one.
+/// Returns the point with the narrowest gap among those that crossed() finds, at the first moment at which it
+/// finds any; none if it never does.
 std::optional<NarrowPoint> certain(const Pair& pair, const std::vector<NarrowPoint>& narrow,
                                    const Between& sheet) {
     double last = 0;
@@ -164,7 +171,8 @@ std::optional<NarrowPoint> certain(const Pair& pair, const std::vector<NarrowPoi
     return std::nullopt;
 }
 
-/// Narrowest of the points that are in the box through which the sheet flies before the gap there is narrow.
+/// Returns the point with the narrowest gap among the points that lie in the box through which the sheet
+/// flies until their gap is too narrow; none if there is no such point.
 std::optional<NarrowPoint> possible(const Pair& pair, const std::vector<NarrowPoint>& narrow,
                                     const Between& sheet) {
     Eigen::AlignedBox3d start;
@@ -173,14 +181,15 @@ std::optional<NarrowPoint> possible(const Pair& pair, const std::vector<NarrowPo
     start = Eigen::AlignedBox3d(start.min() - room, start.max() + room);
     std::optional<NarrowPoint> worst;
     for (const NarrowPoint& point : narrow) {
-        if (point.first == 0) continue;  // the obstacles touch there from the start
+        if (point.first == 0) continue;  // the gap is too narrow from the start
         const Eigen::AlignedBox3d way = start.merged(start.translated(sheet.flown(point.first)));
         if (way.contains(pair.other->motion.at(point.first) * point.foot)) worst = narrower(worst, point);
     }
     return worst;
 }
 
-/// Narrowest points of a pair of obstacles at which a sheet is between them, or may be.
+/// Points with the narrowest gaps between two obstacles in which a sheet certainly lies, and in which it
+/// possibly lies.
 struct Squeeze {
     std::optional<NarrowPoint> certain, possible;
 };

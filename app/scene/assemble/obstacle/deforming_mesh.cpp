@@ -11,10 +11,10 @@
 namespace sherd {
 namespace {
 
-constexpr double farthest_point = 1e9;  // m, from the origin
-constexpr double least_share = 0.05;    // share of a cache that a run should cover
+constexpr double farthest_point = 1e9;  // m, largest coordinate of a point
+constexpr double least_share = 0.05;    // share of a cache's duration that a run should cover
 
-/// The triangles of a mesh file, and the points that they use.
+/// The triangles of a mesh file, with only those points that they use.
 struct UsedTriangles {
     std::vector<std::array<Index, 3>> triangles;
     std::vector<Index> points;  ///< number in the file of each used point

@@ -10,18 +10,19 @@
 namespace sherd {
 namespace {
 
-constexpr int fewest_segments = 48, most_segments = 192;  // per circle
+constexpr int fewest_segments = 48, most_segments = 192;  // for a circle
 
-/// Even number of segments of a circle with at most this sagitta, m, within fewest_segments and
-/// most_segments.
+/// Returns an even number of segments for a circle (radius: m): so many that their sagitta is at most
+/// `sagitta` (m), but at least fewest_segments and at most most_segments.
 int segments_of(double radius, double sagitta) {
     const double half_angle = std::acos(std::clamp(1 - sagitta / radius, -1.0, 1.0));
     const double count = std::numbers::pi / std::max(half_angle, std::numbers::pi / most_segments);
     return std::max(fewest_segments, 2 * static_cast<int>(std::ceil(count / 2)));
 }
 
-/// Surface of revolution about the z axis of a profile of (r, z), from its lower end on the axis to its upper
-/// one. Each end is a single point.
+/// Returns the surface of revolution of a profile of points (r, z), m, about the z axis, mapped by `map`. The
+/// profile runs from its lower end to its upper end; both lie on the axis, and each is a single point of the
+/// surface.
 ColliderSurface revolved(const std::vector<Vector2d>& profile, int segments, const Eigen::Affine3d& map) {
     const int rows = static_cast<int>(profile.size()) - 2;
     Positions points(3, 2 + rows * segments);

@@ -8,11 +8,12 @@
 
 namespace sherd {
 
-// Surfaces of shapes, as triangles that face outward, in the frame of the shape. Points of round shapes lie
-// on the surface and facets inside it, by about `sagitta` (m); there are enough facets for pictures, and at
-// most 37,000.
+// facets() returns the surface of a shape as triangles whose normals point outward, in the shape's frame.
+// Corners of triangles lie on the surface, and for a round shape the triangles lie inside it, by at most
+// about `sagitta` (m). A round shape has enough triangles for pictures, and at most 37,000.
 
-ColliderSurface facets(const PlaneShape& plane, double sagitta);  ///< empty: without corner or edge
+ColliderSurface facets(const PlaneShape& plane, double sagitta);  ///< returns an empty surface, as a plane
+                                                                  ///< has no corner or edge
 ColliderSurface facets(const SphereShape& sphere, double sagitta);
 ColliderSurface facets(const CylinderShape& cylinder, double sagitta);
 ColliderSurface facets(const BoxShape& box, double sagitta);

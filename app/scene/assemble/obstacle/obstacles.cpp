@@ -30,13 +30,15 @@ struct GridShape : Shape {
     Eigen::AlignedBox3d bounds() const override { return {grid.lower(), grid.upper()}; }
 };
 
-constexpr double voxels_along = 100;  // voxels along a mesh's diagonal: half a million or less in all
-/// Least share of its bounding box that a solid fills: less is a flat mesh, or round-off.
+constexpr double voxels_along = 100;  // voxels along a mesh's diagonal: at most half a million in all
+/// Least share of its bounding box that a solid fills. A mesh that fills less is flat, or its volume is
+/// round-off.
 constexpr double least_filled = 1e-9;
-constexpr double sagitta = 0.05;  // share of the thinnest sheet's thickness, for facets of round shapes
+constexpr double sagitta = 0.05;  // largest sagitta of facets of round shapes, as a share of the thinnest
+                                  // sheet's thickness
 
-/// Requirements of sheets and balls on shapes, m: largest sagitta of facets, and the distance from the
-/// surface up to which distances are needed.
+/// Requirements, m, of sheets and free balls on the shapes of obstacles: the largest sagitta of facets, and
+/// the distance from the surface up to which signed distances are needed.
 struct Need {
     double sagitta, reach;
 };
@@ -49,7 +51,7 @@ Need need_of(const ThicknessRange& sheets, const std::vector<ObstacleSpec>& bodi
     return need;
 }
 
-/// An obstacle's shape, with its surface and deformation.
+/// The shape of an obstacle, with its surface and its deformation.
 struct Made {
     std::shared_ptr<const Shape> shape;
     ColliderSurface surface;
@@ -95,15 +97,16 @@ std::shared_ptr<const ColliderSurface> shared(ColliderSurface surface) {
     return surface.size() == 0 ? nullptr : std::make_shared<ColliderSurface>(std::move(surface));
 }
 
-/// Place and moments of a mesh in the frame of its body, whose origin is the centre of mass and whose axes
-/// are principal.
+/// Frame of a free body that is made from a mesh: its origin is the centre of mass, and its axes are the
+/// principal ones.
 struct MeshFrame {
-    Eigen::Isometry3d place = Eigen::Isometry3d::Identity();  ///< from the body's frame to the mesh's
-    double volume = 0;
-    Vector3d inertia;  ///< m^5, principal moments for unit density
+    Eigen::Isometry3d place = Eigen::Isometry3d::Identity();  ///< pose of the body's frame in the mesh's
+                                                              ///< frame
+    double volume = 0;                                        ///< m^3
+    Vector3d inertia;                                         ///< m^5, principal moments for unit density
 };
 
-/// Throws Error if the mesh is not the closed surface of a solid.
+/// Returns the frame of the body of a mesh. Throws Error if the mesh is not the closed surface of a solid.
 MeshFrame frame_of(const Mesh& mesh) {
     const MeshMeasures extent = measure(mesh);
     if (extent.boundary_loops > 0)
@@ -126,7 +129,7 @@ MeshFrame frame_of(const Mesh& mesh) {
     return frame;
 }
 
-/// A body from a mesh, placed as in the mesh's frame.
+/// Makes a body from a mesh file, in the pose of the mesh in its file.
 RigidBody make_body(const ObstacleMesh& spec, const FreeMotion& free, const Need& need) {
     std::vector<std::string> told;  // not printed: make_obstacles() returns the same warnings
     Mesh mesh = read_mesh(spec.file, told);
@@ -159,7 +162,7 @@ RigidBody make_body(const BoxShape& box, const FreeMotion& free, const Need&) {
     return body;
 }
 
-/// Never called: read_obstacle() accepts no other kind as a free body.
+/// Never called: complete_free_motion() of app/scene/read/obstacle.cpp reports free bodies of other kinds.
 template <class Other>
 RigidBody make_body(const Other&, const FreeMotion&, const Need&) {
     return {};

@@ -8,9 +8,10 @@
 
 namespace sherd {
 
-/// Returns (cos, sin) of twice the angle at texture coordinates (u, v), up to a length of at most about one,
-/// and zero where there is no direction. With the doubled angle, opposite directions are the same vector, so
-/// that the bilinear mean of four texels (texels_around) has no jump where the angle passes 180 degrees.
+/// Returns a vector along (cos, sin) of twice the angle that a texture has at the coordinates `uv`: the
+/// bilinear mean of the vectors of four texels (texels_around()). Its length is about 1 where the texels
+/// agree, less where they differ, and 0 where there is no direction. Twice the angle is used since opposite
+/// directions are equal, so that the mean has no jump where the angle passes 180 degrees.
 Eigen::Vector2d doubled_direction(const Image& image, AxisEncoding encoding, const Eigen::Vector2d& uv);
 
 }  // namespace sherd

@@ -20,8 +20,8 @@ namespace {
 using VertexPair = std::pair<std::uint32_t, std::uint32_t>;
 using EdgesByEnds = std::vector<std::pair<VertexPair, Edge>>;
 
-/// The mesh's edges, in the order of the numbers of their ends in the file. Where the reader has separated a
-/// non-manifold edge, several edges have the same pair of ends.
+/// Returns the mesh's edges, sorted by the numbers that their ends have in the mesh file. Where the reader
+/// has separated a non-manifold edge, several edges have the same pair of ends.
 EdgesByEnds edges_by_file_vertices(const Mesh& mesh) {
     const auto number = find_property(mesh, attribute::file_vertex).first;
     EdgesByEnds edges;
@@ -32,7 +32,8 @@ EdgesByEnds edges_by_file_vertices(const Mesh& mesh) {
     return edges;
 }
 
-/// The only edge between `ends`. Throws Error, beginning with `where`, if it cannot be cut.
+/// Returns the only edge between `ends`. Throws Error, beginning with `where`, if there is none, if there are
+/// several, or if it is on the boundary.
 Edge interior_edge(const Mesh& mesh, const EdgesByEnds& edges, const VertexPair& ends,
                    const std::string& where) {
     const auto before = [](const auto& a, const auto& b) { return a.first < b.first; };

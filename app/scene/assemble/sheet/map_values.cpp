@@ -47,7 +47,7 @@ std::vector<double> at_edges(const MapTexture& map, const SheetSpec&, const Mesh
     const auto texture = texture_coordinates(mesh);
     std::vector<double> values(mesh.number_of_edges(), 0);
     for (const Face face : mesh.faces()) {
-        int corner = 0;  // corner at the halfedge's target; its source is the corner before
+        int corner = 0;  // corner at the target of h; its source is at the corner before
         for (const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(face))) {
             const Vector2d between = (texture[face][(corner + 2) % 3] + texture[face][corner]) / 2;
             values[mesh.edge(h)] += grey(image, between) / (mesh.is_border(mesh.edge(h)) ? 1 : 2);
@@ -57,7 +57,7 @@ std::vector<double> at_edges(const MapTexture& map, const SheetSpec&, const Mesh
     return values;
 }
 
-/// Samples a grid at places of a sheet. what: noun for the places, for the warning.
+/// Returns the values of a grid at places of a sheet. what: noun for the places in the warning.
 std::vector<double> at_places(const MapGrid& map, const SheetSpec& sheet, std::vector<Vector3d> places,
                               const char* what, std::vector<std::string>& warnings) {
     const Eigen::Affine3d back = to_file(sheet);

@@ -14,23 +14,25 @@ namespace sherd {
 /// finite.
 Mesh::Property_map<Face, FaceTexture> texture_coordinates(const Mesh& mesh);
 
-/// The values of a map at the vertices of a sheet [V], or at the middles of its edges [E]. placed: the
-/// sheet's mesh where the scene places it. Along a seam of a texture the value is the mean over the faces
-/// there; a property has the mean of both ends in the middle of an edge. Throws Error on a file that is
-/// missing, damaged or of another kind, on a mesh without texture coordinates or without the property, and on
-/// a grid that is not in the file. A warning gives the number of places outside a grid's active region.
+/// vertex_values() returns the values of a map at the vertices of a sheet [V], edge_values() at the middles
+/// of its edges [E]. placed: the sheet's mesh where the scene places it. Along a seam of a texture the value
+/// is the mean over the adjacent faces. A property of vertices has, in the middle of an edge, the mean of the
+/// edge's ends. Throws Error on a file that is missing, damaged or of another kind, on a mesh without texture
+/// coordinates or without the property, and on a grid that is not in the file. Adds a warning with the number
+/// of places outside a grid's active region.
 std::vector<double> vertex_values(const MapSource& source, const SheetSpec& sheet, const Mesh& placed,
                                   std::vector<std::string>& warnings);
 std::vector<double> edge_values(const MapSource& source, const SheetSpec& sheet, const Mesh& placed,
                                 std::vector<std::string>& warnings);
 
-/// Name of the source for errors: the file's name, or the property.
+/// Returns the name of a source for errors: the name of its file or of the property.
 std::string source_text(const MapSource& source);
 
-/// The map from the placed mesh back to the frame of its file, in which grids are.
+/// Returns the transformation from the placed mesh back to the frame and the unit of its file, in which grids
+/// are given.
 Eigen::Affine3d to_file(const SheetSpec& sheet);
 
-/// The middle of an edge, m.
+/// Returns the middle of an edge, m.
 Eigen::Vector3d edge_middle(const Mesh& mesh, Edge edge);
 
 }  // namespace sherd

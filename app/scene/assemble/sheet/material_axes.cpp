@@ -22,7 +22,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 struct FaceShape {
-    Eigen::Matrix<double, 3, 2> edges;  ///< from the first corner to the other two, m
+    Eigen::Matrix<double, 3, 2> edges;  ///< m, from the first corner to the other two
     Vector3d normal;
 };
 
@@ -40,8 +40,8 @@ Vector3d turned(const Vector3d& tangent, const Vector3d& normal, double angle) {
     return std::cos(angle) * tangent + std::sin(angle) * normal.cross(tangent);
 }
 
-/// The unit vector along the direction in the face's plane; none if the direction is perpendicular to the
-/// face.
+/// Returns the unit vector along the projection of a direction to a face; none if the direction is
+/// perpendicular to the face. normal: of the face, a unit vector.
 std::optional<Vector3d> projected(const Vector3d& direction, const Vector3d& normal) {
     const Vector3d tangent = direction - direction.dot(normal) * normal;
     constexpr double perpendicular = 1e-6;  // rad
@@ -49,7 +49,7 @@ std::optional<Vector3d> projected(const Vector3d& direction, const Vector3d& nor
     return tangent.normalized();
 }
 
-/// Projects one direction to all faces.
+/// Projects a direction in the mesh's own frame to faces of the placed mesh.
 class Projection {
   public:
     Projection(const Vector3d& direction, const Eigen::Isometry3d& place) : turn(place.linear()) {
@@ -66,7 +66,7 @@ class Projection {
             }
         throw Error(fmt::format("face {} has no normal", face.idx()), Fault::run);
     }
-    std::vector<Face> replaced;  ///< faces perpendicular to the direction
+    std::vector<Face> replaced;  ///< faces perpendicular to the direction, for which another one was used
 
   private:
     Eigen::Matrix3d turn;
@@ -89,7 +89,8 @@ std::vector<Vector3d> axes_of(const AxisDirection& axis, const Mesh& mesh, const
     return axes;
 }
 
-/// The axis at `angle` (rad) from the direction along which u grows and v is constant, towards that of v.
+/// Returns the axis in a face at `angle` (rad) from the direction along which u grows and v is constant,
+/// counted towards the direction along which v grows. corners: texture coordinates of the face's corners.
 Vector3d axis_over_texture(const FaceTexture& corners, double angle, const Mesh& mesh, Face face) {
     const FaceShape shape = shape_of(mesh, face);
     Eigen::Matrix2d texture;

@@ -24,8 +24,8 @@ void transform(Mesh& mesh, const Eigen::Affine3d& map) {
     }
 }
 
-/// Inserts edges along the lines of the sheet's cracks into a generated mesh; the mesh of a file is kept as
-/// it is.
+/// Inserts edges along the lines of the sheet's initial cracks into a generated mesh; other meshes are kept
+/// as they are.
 void cut_cracks(Mesh& mesh, const SheetSpec& sheet) {
     if (!sheet.fracture || !std::holds_alternative<GeneratedMesh>(sheet.mesh)) return;
     LineCut cut(mesh, false);
@@ -54,7 +54,7 @@ Mesh make(const GeneratedMesh& spec, const Scene& scene, std::vector<std::string
 
 void warn_of_remesh(double edge_length, const Mesh& mesh, const Remeshed& result,
                     std::vector<std::string>& warnings) {
-    constexpr double far = 0.25;  // share of the edge length
+    constexpr double far = 0.25;  // share of the edge length: larger distances from the surface are reported
     if (result.texture_lost)
         warnings.push_back(fmt::format(
             "remesh = {}: the texture coordinates are lost, since most edges of the file are texture seams",
@@ -108,13 +108,14 @@ Mesh make(const GivenMeshName& spec, const Scene& scene, std::vector<std::string
                       remeshed);
 }
 
-/// Largest extent, m.
+/// Returns the largest side of the bounding box, m.
 double size_of(const Mesh& mesh) {
     const MeshMeasures measures = measure(mesh);
     return (measures.upper - measures.lower).maxCoeff();
 }
 
-/// Throws Error on sizes beyond those of any shell; within them doubles have enough digits.
+/// Throws Error if a mesh is larger or smaller than any shell. Between these limits doubles have enough
+/// digits.
 void require_size(const Mesh& mesh) {
     constexpr double smallest = 1e-9, largest = 1e9;  // m
     const double size = size_of(mesh);
@@ -127,7 +128,8 @@ void require_size(const Mesh& mesh) {
 
 /// Throws Error if the sheet is so far from the origin that the digits of doubles do not resolve its edges.
 void require_near(const Mesh& mesh, const SheetSpec& sheet) {
-    constexpr double most_round_off = 1e-4;  // share of the mean edge
+    constexpr double most_round_off = 1e-4;  // largest round-off of positions, as a share of the mean edge
+                                             // length
     const MeshMeasures measures = measure(mesh);
     const double farthest =
         std::max(measures.upper.cwiseAbs().maxCoeff(), measures.lower.cwiseAbs().maxCoeff());

@@ -11,12 +11,13 @@
 
 namespace sherd {
 
-/// Returns the scored edges, each once. Throws Error, naming the scene's line and key, on a list of edges for
-/// a mesh that is not as in its file, and like read_edge_list() and edge_path().
+/// Returns the edges of a scored line or of a crack, each once. placed: mesh of the sheet where the scene
+/// places it; place: its placement. Throws Error, naming the scene's line and key, on a list of edges for a
+/// mesh that is not as in its file, and like read_edge_list() and edge_path().
 std::vector<Edge> scored_edges(const Score& score, const Mesh& placed, const Eigen::Isometry3d& place);
 
-/// The edges of the cracks that sheets have from the start, numbered over all inputs, ascending. Throws Error
-/// like scored_edges(), and on an edge of the boundary.
+/// Returns the edges of all initial cracks, numbered over the meshes of all inputs, in ascending order.
+/// Throws Error like scored_edges(), and on an edge of the boundary.
 std::vector<Edge> cracked_edges(const Scene& scene, const std::vector<SheetInput>& inputs);
 
 }  // namespace sherd

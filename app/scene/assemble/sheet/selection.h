@@ -10,15 +10,16 @@
 
 namespace sherd {
 
-/// Whether a selection contains a vertex. A selection without box, boundary and group contains all.
+/// Whether a selection contains a vertex. A selection without box, boundary and group contains all vertices.
 bool selects(const Selection& selection, const Mesh& placed, Vertex v);
 
-/// Throws Error, naming the scene's line and key, if the selection's group is none of `known`, the groups of
-/// the meshes that it selects from.
+/// Throws Error, naming the scene's line and key, if the selection has a group that is not in `known`, the
+/// names of the groups of the meshes from which it selects.
 void check_group(const Selection& selection, const std::vector<std::string>& known);
 
-/// Flags of the inputs' vertices, numbered over all inputs, that are selected: of all sheets, or of the sheet
-/// with this name. Throws Error, naming the scene's line and key, on a group that none of these sheets has.
+/// Returns, for each vertex of all inputs, whether it is selected. Vertices are selected from the sheet with
+/// the name `sheet`, or from all sheets if `sheet` is empty. Throws Error, naming the scene's line and key,
+/// on a group that none of these sheets has.
 std::vector<char> selected_vertices(const Selection& selection, const std::string& sheet, const Scene& scene,
                                     const std::vector<SheetInput>& inputs);
 

@@ -22,17 +22,20 @@
 namespace sherd {
 namespace {
 
-/// Least factor on the toughness: a toughness of 0 stands for none, with cracks by strength.
+/// Least factor on the toughness. A factor of 0 would give the toughness 0, which means that there is none,
+/// and that hinges fail by their strength alone.
 constexpr double least_factor = 1e-6;
 
-/// Seed of the scatter, which differs for each sheet, and from the seed of generated meshes.
+/// Returns the seed of a sheet's scatter. Sheets have different seeds, which also differ from the seed of
+/// generated meshes.
 std::uint32_t scatter_seed(const SheetSpec& sheet, const Scene& scene) {
     const auto number = static_cast<std::uint32_t>(&sheet - scene.sheets.data());
     constexpr std::uint32_t odd = 0x9E3779B9;
     return static_cast<std::uint32_t>(scene.seed) + odd * (number + 1);
 }
 
-/// Multiplies the factors of edges [E] by those of the maps and the scores of one law.
+/// Multiplies the factors of edges [E] by the factors of the sheet's maps and scores of the strength, or of
+/// the toughness. law: which of the two; factors: empty if all are 1.
 void add_maps(const SheetSpec& sheet, FractureLaw law, const Mesh& placed, std::vector<double>& factors,
               std::vector<std::string>& warnings) {
     const auto factor_of = [&](Edge edge) -> double& {
@@ -44,7 +47,7 @@ void add_maps(const SheetSpec& sheet, FractureLaw law, const Mesh& placed, std::
         const std::vector<double> values = map_factors(map, sheet, placed, warnings);
         for (const Edge edge : placed.edges()) {
             double& factor = factor_of(edge);
-            const bool never = std::isinf(factor) || std::isinf(values[edge]);  // also times zero
+            const bool never = std::isinf(factor) || std::isinf(values[edge]);  // also infinity times zero
             factor = never ? std::numeric_limits<double>::infinity() : factor * values[edge];
         }
     }
@@ -53,9 +56,9 @@ void add_maps(const SheetSpec& sheet, FractureLaw law, const Mesh& placed, std::
             for (const Edge edge : scored_edges(score, placed, sheet.place)) factor_of(edge) *= score.factor;
 }
 
-/// Returns the strength of a sheet that can fail. The factor of each edge of `placed` is the product of those
-/// of the scatter (with the scene's seed), of the maps and of the scores of the strength; infinite where it
-/// never fails. Throws Error naming the scene's line and key; warnings are sentences.
+/// Returns the strength of a sheet that can fail. The factor of each edge of `placed` is the product of the
+/// factors of the scatter (with the scene's seed), of the maps and of the scores of the strength; it is
+/// infinite if the edge never fails. Throws Error naming the scene's line and key; warnings are sentences.
 Strength sheet_strength(const SheetSpec& sheet, const Scene& scene, const Mesh& placed,
                         std::vector<std::string>& warnings) {
     const FractureSpec& fracture = *sheet.fracture;
@@ -68,8 +71,9 @@ Strength sheet_strength(const SheetSpec& sheet, const Scene& scene, const Mesh& 
     return strength;
 }
 
-/// The toughness of a sheet that can fail, with the factors of the maps and of the scores of the toughness,
-/// and the speed limit of its material unless one is given. Throws Error like sheet_strength().
+/// Returns the toughness of a sheet that can fail, with the factors of the maps and of the scores of the
+/// toughness, and with the given speed limit or, by default, usual_speed_limit(). Throws Error like
+/// sheet_strength().
 Toughness sheet_toughness(const SheetSpec& sheet, const Mesh& placed, std::vector<std::string>& warnings) {
     const FractureSpec& fracture = *sheet.fracture;
     Toughness toughness;
@@ -85,7 +89,8 @@ Toughness sheet_toughness(const SheetSpec& sheet, const Mesh& placed, std::vecto
     return toughness;
 }
 
-constexpr double flat = 1e-6;  // share of the mesh's diagonal: accuracy of single-precision files
+constexpr double flat = 1e-6;  // tolerance, as a share of the mesh's diagonal: accuracy of single-precision
+                               // files
 
 Vector3d normal_of_flat(const Mesh& mesh, const BendSpec& bend) {
     const MeshMeasures extent = measure(mesh);
@@ -112,7 +117,7 @@ Positions bent_start(const BendSpec& bend, const Mesh& placed, const Eigen::Isom
     for (const Vertex v : placed.vertices()) {
         const Vector3d p = position(placed, v);
         const double length = along.dot(p - from), half = 0.5 * bend.curvature * length;
-        // Chord of the arc, at half the arc's angle to the tangent.
+        // The chord of the arc makes half the arc's angle with the tangent.
         const double chord = half == 0 ? length : length * std::sin(half) / half;
         start.col(static_cast<Index>(v)) =
             p + (chord * std::cos(half) - length) * along + chord * std::sin(half) * normal;
@@ -120,7 +125,8 @@ Positions bent_start(const BendSpec& bend, const Mesh& placed, const Eigen::Isom
     return start;
 }
 
-/// Warns beyond the paper's limit of validity (section 8).
+/// Warns if the edges are so short for the thickness that the hinges are beyond their limit of validity
+/// (paper, section 8).
 void warn_of_stretching(const SheetInput& input, const SheetSpec& sheet, std::vector<std::string>& warnings) {
     const Material material = thickest_material(input);
     const double edge = measure(input.mesh).mean_edge, ratio = stretch_over_bend(material, edge);

@@ -9,8 +9,8 @@
 
 namespace sherd {
 
-/// Makes a sheet of a scene, where the scene places it. Throws Error naming the scene's line and key;
-/// warnings are sentences. remeshed: see make_unplaced_mesh().
+/// Makes the input for a sheet of a scene, where the scene places the sheet. Throws Error naming the scene's
+/// line and key; warnings are sentences. remeshed: see make_unplaced_mesh().
 SheetInput make_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings,
                       std::string* remeshed = nullptr);
 

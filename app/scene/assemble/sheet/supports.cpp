@@ -16,7 +16,8 @@
 namespace sherd {
 namespace {
 
-constexpr double on_plane = 1e-6;  // share of the mesh's diagonal: accuracy of single-precision files
+constexpr double on_plane = 1e-6;  // tolerance, as a share of the mesh's diagonal: accuracy of
+                                   // single-precision files
 
 std::vector<char> vertices_on(const SymmetrySpec& plane, const SheetInput& input, Index first, Index count) {
     const MeshMeasures extent = measure(input.mesh);
@@ -35,7 +36,7 @@ bool holds_a_triangle(const Shell& mechanics, const std::vector<char>& selected)
     });
 }
 
-/// The supports of each vertex, and its remaining free directions.
+/// The supports of each vertex, and the directions in which the vertex is still free.
 class Holds {
   public:
     explicit Holds(std::size_t vertices) : by(vertices), freedom(vertices, Matrix3d::Identity()) {}
@@ -44,7 +45,7 @@ class Holds {
         for (std::size_t v = 0; v < selected.size(); ++v) {
             if (!selected[v]) continue;
             const Vector3d lost = freedom[v] * direction;
-            if (lost.norm() <= on_plane) continue;  // an earlier support holds it there
+            if (lost.norm() <= on_plane) continue;  // an earlier support holds the vertex in this direction
             const Matrix3d held = lost.normalized() * lost.normalized().transpose();
             freedom[v] -= held;
             if (by[v].empty() || by[v].back().support != support)
@@ -68,7 +69,7 @@ class Holds {
     std::vector<Matrix3d> freedom;
 };
 
-/// The centre of the bounding box of some vertices.
+/// Returns the centre, m, of the bounding box of some vertices.
 Vector3d middle(const std::vector<Index>& vertices, const Mesh& placed) {
     Eigen::AlignedBox3d box;
     for (const Index v : vertices) box.extend(position(placed, Vertex(v)));
@@ -186,13 +187,13 @@ class SupportBuilder {
         holds.add(options.stepper.supports++, held, plane.normal);
     }
 
-    /// Adds a mirror hinge of the next support.
+    /// Adds a mirror hinge of the support that is added next.
     void add(const MirrorHinge& hinge) {
         options.stepper.shell.mirrors.push_back(hinge);
         options.stepper.shell.mirror_supports.push_back(options.stepper.supports);
     }
 
-    /// Stiffness lambda (N m) of the mirror hinge on a boundary side.
+    /// Returns the stiffness lambda (N m) of the mirror hinge on an edge of the boundary.
     double stiffness(const TriangleEdge& side) const {
         const SheetInput& input = inputs[sheet];
         Material material = input.material;
@@ -209,7 +210,8 @@ class SupportBuilder {
     SimulationOptions& options;
     Holds holds;
     std::size_t sheet = 0;
-    Index first = 0, first_face = 0;  ///< first vertex and face of the sheet in the mechanics
+    Index first = 0, first_face = 0;  ///< number of the sheet's first vertex, and of its first face, in the
+                                      ///< mechanics
 };
 
 }  // namespace

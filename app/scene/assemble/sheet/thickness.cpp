@@ -35,10 +35,10 @@ std::vector<double> mapped_thickness(const ThicknessMap& map, const SheetSpec& s
     return thickness;
 }
 
-/// Mean thickness, m, weighted by area.
+/// Returns the mean thickness, m, weighted by area.
 double mean_by_area(const Mesh& mesh, const std::vector<double>& thickness) {
     const double first = thickness.front();
-    double area = 0, more = 0;  // `more` is exactly zero where all are equal
+    double area = 0, more = 0;  // `more` sums differences from `first`, and is exactly zero if all are equal
     for (const Face face : mesh.faces()) {
         const double part = face_area(mesh, face);
         area += part;

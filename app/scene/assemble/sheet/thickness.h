@@ -8,18 +8,18 @@
 
 namespace sherd {
 
-/// Sets the thickness of a sheet from its map, if it has one, and that of its material to the mean. input:
-/// with the placed mesh. Throws Error naming the scene's line and key, also where the thickness is not
-/// positive; warnings are sentences.
+/// If the sheet has a map of the thickness, sets the thickness of the input's vertices from it, and the
+/// thickness of its material to the mean. input: has the placed mesh. Throws Error, naming the scene's line
+/// and key, like vertex_values(), and where the thickness is not positive; warnings are sentences.
 void set_thickness(const SheetSpec& sheet, SheetInput& input, std::vector<std::string>& warnings);
 
-/// The thickness in words without its unit: "0.003", or "0.002 to 0.006".
+/// Returns the thickness of a sheet, in m, as text without the unit: "0.003", or "0.002 to 0.006".
 std::string thickness_text(const SheetInput& input);
 
-/// The sheet's material with its largest thickness.
+/// Returns the sheet's material with the sheet's largest thickness.
 Material thickest_material(const SheetInput& input);
 
-/// The smallest and the largest thickness of some sheets, m.
+/// Smallest and largest thickness of some sheets, m.
 struct ThicknessRange {
     double thinnest, thickest;
 };

@@ -12,11 +12,11 @@
 namespace sherd {
 namespace {
 
-constexpr double most_pairs = 5e7;  // about 3 GB
+constexpr double most_pairs = 5e7;  // need about 3 GB
 
 struct EdgesOfSheet {
-    double length;  ///< m, mean
-    double pairs;   ///< estimated number of element pairs nearer than the thickness
+    double length;  ///< m, mean length of the edges
+    double pairs;   ///< estimated number of pairs of elements that are nearer than the thickness
 };
 
 EdgesOfSheet edges_of(const SheetInput& input) {

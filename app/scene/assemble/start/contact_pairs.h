@@ -9,8 +9,8 @@
 namespace sherd {
 
 /// Throws Error (input), naming the sheet and a remedy, if the edges of a sheet are so much shorter than its
-/// thickness that contact would have more candidate pairs than memory and time allow. Inputs are those of the
-/// scene, in its order.
+/// thickness that contact would have more candidate pairs than memory and time allow. inputs: made from the
+/// scene's sheets, in the scene's order.
 void require_few_pairs(const Scene& scene, const std::vector<SheetInput>& inputs);
 
 }  // namespace sherd

@@ -19,15 +19,16 @@
 namespace sherd {
 namespace {
 
-constexpr double deepest_start = 0.25, noticed = 1e-3;  // shares of the thickness
+constexpr double deepest_start = 0.25, noticed = 1e-3;  // shares of the thickness: larger overlaps are
+                                                        // refused, and reported
 
-/// The vertices of one sheet that touch one obstacle at the start.
+/// Vertices of one sheet that overlap one obstacle at the start.
 struct InsideObstacle {
     std::size_t count = 0;
     Vertex deepest;
-    double depth = 0;                                   ///< m, overlap of the deepest
-    std::vector<Vertex> deep;                           ///< vertices that are too deep
-    std::vector<std::pair<Index, double>> depths = {};  ///< m, overlaps of the counted vertices
+    double depth = 0;                                   ///< m, overlap of the vertex `deepest`
+    std::vector<Vertex> deep;                           ///< vertices whose overlap exceeds deepest_start
+    std::vector<std::pair<Index, double>> depths = {};  ///< the `count` vertices, and their overlaps, m
 };
 
 bool is_refused(const InsideObstacle& found) {
@@ -63,11 +64,12 @@ std::string message(const SheetSpec& sheet, const SheetInput& input, const Obsta
         place_text(input.starts_at(found.deepest)), found.depth);
 }
 
-/// Faces of one sheet that start across or near to the surface of one obstacle.
+/// Faces of one sheet that start across the surface of one obstacle, or too near to it.
 struct SurfaceMeeting {
     std::vector<StartFault> crossing, near;
-    double distance = std::numeric_limits<double>::infinity();  ///< m, of the nearest pair
-    double touching = 0;                                        ///< m, half the thickness of this pair
+    double distance = std::numeric_limits<double>::infinity();  ///< m, between the nearest pair of elements;
+                                                                ///< infinite: none is too near
+    double touching = 0;  ///< m, distance at which this pair touches: half the thickness
     Vector3d at = Vector3d::Zero();
 };
 
@@ -75,8 +77,8 @@ bool is_refused(const SurfaceMeeting& found) {
     return !found.crossing.empty() || std::isfinite(found.distance);
 }
 
-/// A face that contains the sheet's element of a contact pair between a sheet and a collider. Vertices of
-/// colliders are numbered before those of sheets.
+/// Returns a face that contains the sheet's element of a contact pair between a sheet and a collider. In
+/// pairs, vertices of colliders are numbered before vertices of sheets.
 Face face_of(const Mesh& mesh, const ContactPair& pair, Index collider_vertices) {
     std::vector<Index> own;
     for (const Index v : pair.vertices)
@@ -98,7 +100,8 @@ std::vector<Face> faces_through(const Mesh& mesh, const Obstacle& obstacle,
     return crossing;
 }
 
-/// The faces of each sheet that start across or near to an obstacle's surface.
+/// Returns, for each sheet, its faces that start across an obstacle's surface or too near to it. sheets:
+/// number of sheets.
 std::vector<SurfaceMeeting> surface_meetings(const BreakableShell& all, std::size_t sheets,
                                              const Obstacle& obstacle) {
     std::vector<SurfaceMeeting> found(sheets);
@@ -129,7 +132,7 @@ std::vector<SurfaceMeeting> surface_meetings(const BreakableShell& all, std::siz
     return found;
 }
 
-/// surface_meetings() for each obstacle.
+/// Returns surface_meetings() with each obstacle.
 std::vector<std::vector<SurfaceMeeting>> surface_meetings(const BreakableShell& all, std::size_t sheets,
                                                           const std::vector<Obstacle>& obstacles) {
     std::vector<std::vector<SurfaceMeeting>> found;

@@ -15,10 +15,10 @@ namespace sherd {
 namespace {
 
 constexpr std::size_t most_shown = 5;
-constexpr double farthest = 0.05;  // largest displacement of a sheet, share of its thickness
+constexpr double farthest = 0.05;  // largest displacement of a sheet, as a share of its thickness
 constexpr double steepest = 0.5;   // least cosine between a normal of contact and the mean normal
 
-/// The fault of one face of an overlap. face: numbered over all sheets.
+/// Returns the fault of `face`, one of the two faces of an overlap. It is numbered over all sheets.
 StartFault fault_of(Index face, const StartOverlap& overlap, const BreakableShell& all) {
     return start_fault(overlap.crossing ? FaultKind::crossing : FaultKind::too_near, Face(face), all);
 }
@@ -60,14 +60,14 @@ std::string exemption(const Scene& scene, const BreakableShell& all,
         sentences(scene, all, overlaps));
 }
 
-/// A sheet, and its displacement (m) that removes an overlap.
+/// A sheet, and the displacement of this sheet (m) that removes an overlap.
 struct Parting {
     Index sheet;
     Vector3d way;
 };
 
-/// The displacement that parts two sheets, a before b, with these overlaps; none if one translation cannot do
-/// so.
+/// Returns the displacement of sheet a or b that removes their overlaps; none if no single translation does
+/// so, or if both sheets are supported. overlaps: all of these two sheets; their normals point from a to b.
 std::optional<Parting> parting(const Scene& scene, Index a, Index b,
                                const std::vector<StartOverlap>& overlaps) {
     Vector3d mean = Vector3d::Zero();
@@ -86,8 +86,8 @@ std::optional<Parting> parting(const Scene& scene, Index a, Index b,
     return Parting{b, way * normal};
 }
 
-/// Overlaps by their two sheets. by_sheets() returns none if there is an overlap that no motion of sheets
-/// removes.
+/// Overlaps, grouped by the pair of their sheets. by_sheets() returns none if faces intersect, or overlap
+/// within a sheet: no displacement of whole sheets removes such an overlap.
 using OverlapsOfSheets = std::map<std::array<Index, 2>, std::vector<StartOverlap>>;
 
 std::optional<OverlapsOfSheets> by_sheets(const BreakableShell& all,
@@ -109,14 +109,15 @@ void move(SheetInput& input, const Vector3d& way) {
     input.start.colwise() += way;
 }
 
-/// Parted sheets, and the displacement of each, m.
+/// Sheets that have been moved apart, and the displacement of each of them, m.
 struct PartedSheets {
     std::vector<SheetInput> inputs;
     BreakableShell all;
     std::vector<Vector3d> moved;
 };
 
-/// Moves sheets until none overlap; returns none if one would have to move too far.
+/// Moves sheets until no faces overlap; returns none if that is not possible, or if a sheet would have to
+/// move too far.
 std::optional<PartedSheets> part(const Scene& scene, const std::vector<SheetInput>& inputs,
                                  const BreakableShell& all, std::vector<StartOverlap> overlaps) {
     PartedSheets parted{inputs, all, std::vector<Vector3d>(inputs.size(), Vector3d::Zero())};

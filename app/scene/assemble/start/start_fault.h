@@ -8,7 +8,8 @@
 
 namespace sherd {
 
-/// Kind of a fault of a face with which a scene cannot start. Of several kinds a picture shows the last one.
+/// Kind of a fault of a face with which a scene cannot start. If a face has faults of several kinds, a
+/// picture shows the last of them in this list.
 enum class FaultKind {
     zero_area,
     repeated,
@@ -23,12 +24,12 @@ enum class FaultKind {
 /// A face that a scene cannot start with.
 struct StartFault {
     FaultKind kind;
-    std::size_t sheet;  ///< number in the scene's order
-    Index face;         ///< number in the sheet, from 0
+    std::size_t sheet;  ///< number of the sheet in the scene's order
+    Index face;         ///< number of the face in the sheet, from 0
     Vector3d at;        ///< m, centroid of the face
 };
 
-/// The fault of a face, which is numbered over all sheets in the scene's order.
+/// Returns the fault of a face, which is numbered over all sheets in the scene's order.
 StartFault start_fault(FaultKind kind, Face face, const BreakableShell& all);
 
 /// Returns, for example, "face 12 at (0.1, 0.02, 0.03) m".

@@ -9,8 +9,8 @@
 
 namespace sherd {
 
-/// Returns all faces of the sheets that keep a scene from starting: overlaps of sheets with each other and
-/// with obstacles. The inputs are those of all sheets, made by make_sheet(); `all` is made from them.
+/// Returns all faces of sheets that keep a scene from starting, since they overlap other faces or obstacles.
+/// inputs: all sheets, made by make_sheet(); `all` is made from them.
 std::vector<StartFault> start_faults(const Scene& scene, const std::vector<SheetInput>& inputs,
                                      const BreakableShell& all);
 

@@ -13,7 +13,7 @@ namespace sherd {
 /// Names of the fields of faces.
 inline constexpr std::array<std::string_view, 3> field_names{"stress", "curvature", "membrane_strain"};
 
-/// The fields of faces among the names. Other names are ignored.
+/// Returns the choice of the fields of faces that are among `names`. Other names are ignored.
 FaceFieldChoice chosen_fields(const std::vector<std::string>& names);
 
 }  // namespace sherd

@@ -11,7 +11,7 @@ void read_vdb(TomlTable& table, const KeyInfo& key, MapSource& source);
 void read_grid(TomlTable& table, const KeyInfo& key, MapSource& source);
 void read_property(TomlTable& table, const KeyInfo& key, MapSource& source);
 
-/// Keys of the source of the values of a map of a sheet.
+/// Keys of a map over a sheet that say from where its values come.
 inline constexpr std::array map_source_keys{
     special_key("texture", Form::file,
                 "values from 0 (black) to 1 (white), in a PNG file over the mesh's texture coordinates",
@@ -23,7 +23,8 @@ inline constexpr std::array map_source_keys{
     special_key("property", Form::text, "values that the mesh's PLY file has for each vertex",
                 {.what = "the name of a property of vertices"}, read_property)};
 
-/// Reports a map without source. Returns the place of the source, "FILE:LINE: dotted.key".
+/// Reports a map without a source. Returns the place of the key that gives the source, "FILE:LINE:
+/// dotted.key".
 std::string complete_map_source(TomlTable& map);
 
 }  // namespace sherd

@@ -16,8 +16,8 @@
 namespace sherd {
 namespace {
 
-/// Largest side of the bounding box of the polygons' points, in units of the file; 0 if the file cannot be
-/// read, which is reported when the mesh is made.
+/// Returns the largest side of the bounding box of a mesh file's polygons, in units of the file; 0 if the
+/// file cannot be read, which is reported later, when the mesh is made.
 double extent_of(const std::filesystem::path& file) try {
     const PolygonSoup soup = read_polygon_soup(file);
     check_polygon_soup(soup);

@@ -9,7 +9,7 @@ namespace sherd {
 void read_join(TomlTable& table, const KeyInfo& key, MeshFile& mesh);
 void read_size(TomlTable& table, const KeyInfo& key, MeshFile& mesh);
 
-/// The keys of a mesh from a file, whether of a sheet or of an obstacle.
+/// Keys of a mesh from a file, for sheets and for obstacles.
 inline constexpr std::array mesh_file_keys{
     key<&MeshFile::path>("file", "an OBJ, PLY, OFF or STL file",
                          {.what = "the name of a mesh file", .required = true}),
@@ -27,7 +27,8 @@ inline constexpr std::array mesh_file_keys{
                  .excludes = {"scale"}},
                 read_size)};
 
-/// Reads `mesh` of a sheet: the name of a file, or a table of one of several kinds.
+/// Reads the key `mesh` of a sheet: the name of a file, or a table for a file, a generated shape or a mesh
+/// that a program passes.
 void read_mesh(TomlTable& table, const KeyInfo& key, SheetSpec& sheet);
 std::vector<SectionText> inside_mesh();
 

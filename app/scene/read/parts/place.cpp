@@ -67,7 +67,7 @@ Eigen::AngleAxisd Rotation::turn() const {
 void read_direction(TomlTable& table, const KeyInfo& key, Vector3d& direction) {
     read_value(table, key, direction);
     if (direction.isZero(0)) table.report(key.name, "must not be zero: give a direction, such as [0, 0, 1]");
-    // stableNormalized, since the squares of tiny or huge components leave the range of double.
+    // stableNormalized() is used, since the squares of tiny or huge components leave the range of double.
     direction = direction.stableNormalized();
 }
 

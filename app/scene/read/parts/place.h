@@ -6,7 +6,7 @@
 
 namespace sherd {
 
-/// Reads a direction, and makes it a unit vector. A zero direction is a problem.
+/// Reads a direction, and makes it a unit vector. Reports a direction that is zero.
 void read_direction(TomlTable& table, const KeyInfo& key, Vector3d& direction);
 
 /// `rotate = { axis = [x, y, z], degrees = a }`.
@@ -21,7 +21,8 @@ extern const Section<Rotation> rotation_section;
 extern const Section<Eigen::Isometry3d> place_section;
 extern const Section<MotionKey> motion_key_section;
 
-/// A key of a direction, which is read into the member at the end of a path.
+/// A key of a direction, which is read into the member at the end of `path`, a chain of pointers to members
+/// (keys::Path).
 template <auto... path>
 constexpr auto direction_key(std::string_view name, std::string_view sentence, const KeyRules& rules = {}) {
     auto result = key<path...>(name, sentence, rules);
@@ -41,7 +42,7 @@ inline constexpr std::array motion_keys{
     key<&Motion::smooth>("motion", "motion between two keys: from rest to rest, or at constant speed",
                          {.choices = interpolations})};
 
-/// Reports keys of a motion whose times do not increase, and an interpolation without keys.
+/// Reports keys of a motion whose times do not increase, and an interpolation of a motion that has no keys.
 void check_motion(TomlTable& table, const Motion& motion);
 
 }  // namespace sherd

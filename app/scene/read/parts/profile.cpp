@@ -16,7 +16,7 @@ Profile plate_profile(double radius, double height, double foot) {
     const double width = rise_end - foot, rim_slope = (height - rise_height) / (radius - rise_end);
     Profile profile{{0, 0}};
     for (int i = 0; i <= plate_segments; ++i) {
-        // Cubic Hermite from slope 0 at the foot to the slope of the rim.
+        // Cubic Hermite curve, with slope 0 at the foot and the slope of the rim at its outer end.
         const double t = static_cast<double>(i) / plate_segments;
         const double z = rise_height * t * t * (3 - 2 * t) + width * rim_slope * t * t * (t - 1);
         profile.emplace_back(foot + width * t, z);

@@ -7,19 +7,19 @@
 
 namespace sherd {
 
-/// Polyline of (r, z) points in m, from the axis outward, that is turned about the z axis.
+/// Polyline of points (r, z), m, from the axis outward, which is revolved about the z axis.
 using Profile = std::vector<Eigen::Vector2d>;
 
 /// Returns the profile of a dinner plate: it is flat from the axis to `foot`, then rises in a curve to three
-/// fifths of `height`, and its rim slopes gently on to `radius`, without a kink. All are in m, and 0 < foot <
-/// radius.
+/// fifths of `height`, and ends in a rim that slopes gently to `radius` and `height`, without a kink. All
+/// parameters are in m, and 0 < foot < radius.
 Profile plate_profile(double radius, double height, double foot);
 
-/// Returns the profile of a bowl: the cap of a sphere, `cap` radians from its bottom to its rim of `radius`
-/// (m). 0 < cap < pi.
+/// Returns the profile of a bowl, a cap of a sphere. radius: m, of the rim; cap: rad, angle from the bottom
+/// to the rim as seen from the centre of the sphere, 0 < cap < pi.
 Profile bowl_profile(double radius, double cap);
 
-/// Returns the area of the surface of revolution (m^2), by Pappus.
+/// Returns the area of the surface of revolution of a profile (m^2), by Pappus's theorem.
 double revolved_area(std::span<const Eigen::Vector2d> profile);
 
 /// Returns the length of the polyline (m).

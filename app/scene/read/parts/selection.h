@@ -17,9 +17,10 @@ inline constexpr std::array selection_keys{
         "group", "the vertices of the faces in this group of the mesh file",
         {.what = "the name of a group of the mesh file", .otherwise = "none", .excludes = {"box"}})};
 
-/// Whether a table has a key of a selection.
+/// Whether a table has a key of a selection: box, boundary or group.
 bool selects(TomlTable& table);
-/// Checks the keys of a selection against each other, and reports one that selects nothing.
+/// Reports a table with none of the keys box, boundary and group, and one in which boundary conflicts with
+/// another of them. Sets Selection::where.
 void complete_selection(TomlTable& table, Selection& selection);
 
 }  // namespace sherd

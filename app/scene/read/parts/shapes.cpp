@@ -16,7 +16,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// Shares of the radius: real dinner plates of 26 cm are 2.4 cm high and flat over 16 cm.
+/// Default height and flat part of a plate, as shares of its radius. Real dinner plates of 26 cm are 2.4 cm
+/// high and flat over 16 cm.
 constexpr double plate_height = 0.18, plate_foot = 0.6;
 constexpr Range below_180{.least = 0, .most = 180}, up_to_360{.least = 0, .most = 360, .with_most = true};
 constexpr KeyRules side_rules{.unit = "m", .range = positive, .required = true};
@@ -167,7 +168,8 @@ double smaller_side(const Polyline& line) {
     return box.sizes().minCoeff();
 }
 
-/// Area (m^2) and the smallest size (m) that the edge length must resolve.
+/// Returns the area (m^2) of a shape, and the smallest of its sizes (m), which the edge length must not
+/// exceed.
 std::pair<double, double> area_and_size(const GeneratedMesh& mesh) {
     const double r = mesh.radius;
     if (mesh.shape == "rectangle") return {mesh.width * mesh.height, std::min(mesh.width, mesh.height)};

@@ -6,7 +6,7 @@
 
 namespace sherd {
 
-/// Reads `mesh = { generate = ... }` and expands plates and bowls to profiles.
+/// Reads `mesh = { generate = ... }`, and computes the profile of a plate or a bowl.
 void read_shape(TomlTable& table, GeneratedMesh& mesh);
 std::vector<SectionText> inside_shapes();
 

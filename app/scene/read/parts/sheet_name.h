@@ -6,7 +6,7 @@
 
 namespace sherd {
 
-/// Reports a `sheet` of a load, a wind or a gauge that the scene does not have.
+/// Reports the key `sheet` of a load, wind or gauge if it names a sheet that the scene does not have.
 void check_sheet_name(TomlTable& table, const Scene& scene);
 
 }  // namespace sherd

@@ -32,10 +32,11 @@ void set_toughness(FractureSpec& fracture, const Eigen::Vector2d& value) {
     if (value[1] != value[0]) fracture.toughness_across = value[1];
 }
 
-/// Sets the fracture data of the preset of the sheet's material, which later keys override.
+/// If the key is true, sets the fracture data of the material's preset; keys that are read later override
+/// them.
 void read_fracture_preset(TomlTable& table, const KeyInfo& key, FractureSpec& fracture) {
     if (!table.flag(key.name, false)) return;
-    static constexpr FracturePreset none{};  // so that only the preset is reported
+    static constexpr FracturePreset none{};  // used for a missing preset, so that only its lack is reported
     const bool is_known = fracture.material != nullptr && fracture.material->fracture.has_value();
     const FracturePreset& preset = is_known ? *fracture.material->fracture : none;
     set_strength(fracture, Measure::stress, {preset.strength, preset.strength_across});
@@ -140,7 +141,7 @@ void check_strength(TomlTable& table, const FractureSpec& fracture) {
                      "needs strain (1/m) or strength (Pa), above which the sheet breaks; or preset = true");
 }
 
-/// Checks keys of the toughness, which needs a strength (Pa) and conflicts with crack_tip.
+/// Checks the keys of the toughness. A toughness needs a strength (Pa), and conflicts with crack_tip.
 void check_toughness(TomlTable& table, const FractureSpec& fracture) {
     const char* given = table.has("fracture_energy") ? "fracture_energy"
                         : table.has("toughness")     ? "toughness"
@@ -156,7 +157,7 @@ void check_toughness(TomlTable& table, const FractureSpec& fracture) {
         table.report("crack_tip", "conflicts with toughness, which decides when crack tips propagate");
 }
 
-/// Reports maps and scores of the toughness if the sheet has none.
+/// Reports maps and scores of the toughness if the sheet has no toughness.
 void check_laws(TomlTable& table, const FractureSpec& fracture) {
     if (fracture.has_toughness()) return;
     const auto check = [](TomlTable& factor, FractureLaw law) {

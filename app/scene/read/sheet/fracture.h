@@ -6,7 +6,7 @@
 
 namespace sherd {
 
-/// Reads `fracture` of a sheet, whose material has been read.
+/// Reads the key `fracture` of a sheet. The sheet's material must have been read before.
 void read_fracture(TomlTable& table, const KeyInfo& key, SheetSpec& sheet);
 std::vector<SectionText> inside_fracture();
 

@@ -12,7 +12,7 @@
 namespace sherd {
 namespace {
 
-/// Returns the axis as a direction, and makes it one if it is of another kind.
+/// Returns the direction in `axis`. An axis of another kind is replaced by a default direction.
 AxisDirection& as_direction(MaterialAxis& axis) {
     if (auto* direction = std::get_if<AxisDirection>(&axis.kind)) return *direction;
     return axis.kind.emplace<AxisDirection>();
@@ -75,7 +75,8 @@ constinit const Section<MaterialAxis> axis_section{"Direction of the first mater
 constexpr Range poisson_range{.least = -1, .most = 0.5};
 constexpr double usual_poisson = 0.3;
 
-/// Returns the value of the preset, by which a key may be left out; none without a preset.
+/// Returns the preset's value of a material constant, which makes the constant's key optional; none without a
+/// preset.
 std::optional<double> from_preset(const SheetSpec& sheet, double Material::*member) {
     return sheet.preset != nullptr ? std::optional(sheet.preset->material.*member) : std::nullopt;
 }
@@ -84,7 +85,7 @@ void read_preset(TomlTable& table, const KeyInfo& key, SheetSpec& sheet) {
     if (!table.has(key.name)) return;
     std::vector<std::string_view> names;
     for (const MaterialPreset& known : material_presets()) names.push_back(known.name);
-    // An unknown preset is one mistake: keys that it would replace are not reported.
+    // An unknown preset is one mistake: keys that a preset makes optional are not reported as missing, too.
     static constexpr MaterialPreset unknown{"", {}, FracturePreset{}};
     sheet.preset = &unknown;
     const std::string name = table.choice(key.name, names);
@@ -163,7 +164,7 @@ void read_yield(TomlTable& table, const KeyInfo& key, SheetSpec& sheet) {
 
 void check_constants(TomlTable& table, const Material& material) {
     const Orthotropy m = elastic_constants(material);
-    // Values that are not numbers have been reported.
+    // Constants that are NaN have been reported already.
     if (!std::isfinite(m.young0 + m.young1 + m.young01 + material.shear.value_or(0))) return;
     const std::string broken = broken_inequality(m);
     if (broken.empty()) return;

@@ -7,7 +7,7 @@
 
 namespace sherd {
 
-/// `material` of a sheet: its constants, thickness, axis and preset.
+/// `material` of a sheet: its material constants, thickness, axis and preset.
 extern const Section<SheetSpec> material_section;
 
 }  // namespace sherd

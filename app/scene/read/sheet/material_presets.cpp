@@ -6,7 +6,7 @@
 namespace sherd {
 namespace {
 
-/// Fracture data that are equal in all directions.
+/// Returns fracture data that are equal in all directions.
 constexpr FracturePreset brittle(double strength, double weibull_modulus, double weibull_area,
                                  double toughness, double speed_limit = 0) {
     return {strength, strength, weibull_modulus, weibull_area, toughness, toughness, speed_limit};
@@ -16,7 +16,7 @@ constexpr Material metal(double density, double young, double yield) {
     return {.density = density, .thickness = 0.001, .young = young, .poisson = 0.3, .yield = yield};
 }
 
-// Birch, five plies, the outer ones along the axis.
+// Birch plywood of five plies; the fibres of the outer plies run along the axis.
 constexpr Material plywood{680, 0.0065, 1.27e10, 0.1, 4.8e9, 6.2e8};
 constexpr FracturePreset broken_plywood{6.2e7, 3.6e7, 12, 0.09, 3.9e6, 2.8e6};
 

@@ -9,19 +9,19 @@
 
 namespace sherd {
 
-/// Fracture data of a material, along and across its axis: for tension in that direction.
+/// Fracture data of a material: for tension along its axis, and across it (`_across`).
 struct FracturePreset {
-    double strength = 0, strength_across = 0;      ///< Pa, mean of a patch of weibull_area
-    double weibull_modulus = 0, weibull_area = 0;  ///< m^2
+    double strength = 0, strength_across = 0;      ///< Pa, mean strength of patches of the area weibull_area
+    double weibull_modulus = 0, weibull_area = 0;  ///< modulus; reference area, m^2
     double toughness = 0, toughness_across = 0;    ///< Pa m^0.5
-    double speed_limit = 0;                        ///< m/s; 0: by the material, usual_speed_limit()
+    double speed_limit = 0;                        ///< m/s, of crack tips; 0: usual_speed_limit()
 };
 
 /// A material by name, with the thickness of a common sheet of it.
 struct MaterialPreset {
     std::string_view name;
     Material material;
-    std::optional<FracturePreset> fracture = {};  ///< none: not brittle
+    std::optional<FracturePreset> fracture = {};  ///< none: the material is not brittle
 };
 
 /// Returns presets of real materials; docs/scene.md gives the source of each.

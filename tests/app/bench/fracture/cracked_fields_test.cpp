@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Theoretical fields that load the rims of experiments: a field without equilibrium, or of another crack,
-// would make every table wrong.
+// Tests the theoretical fields that load the rims of sheets in experiments: a field without equilibrium, or
+// of another crack, would make every table wrong.
 #include "app/bench/fracture/cracked_fields.h"
 
 #include <gtest/gtest.h>
@@ -58,7 +58,7 @@ TEST(CrackedFields, BentPlateBalancesAndIsBentFarAway) {
     EXPECT_LT((plate.moments({300, 400}) - far).norm(), 1e-5);
 }
 
-// Crack faces bear no moment and no force: q_y + d m_xy / dx = 0.
+// Crack faces must bear no moment and no force: m_yy = 0 and q_y + d m_xy / dx = 0.
 TEST(CrackedFields, BentPlateHasFreeCrackFacesAndItsFactor) {
     const CrackedPlate plate(half_crack, 0.3);
     const Vector2d crack_face(0.3, tiny), h(apart, 0);

@@ -48,13 +48,13 @@ TEST(Plausibility, SaysNothingOfWhatIsMeant) {
     EXPECT_EQ(with({"sheet.disc.fracture.strength=2e7", "sheet.disc.material.young=2e6"}), "") << "rubber";
 }
 
-// A wrong unit gives another material, a thousand times too stiff or too heavy.
+// Numbers in GPa or g/cm^3 give another material, far too soft or too light.
 TEST(Plausibility, AMaterialInOtherUnitsIsTold) {
     EXPECT_NE(with({"sheet.disc.material.young=70"}).find("so slow; young is in Pa"), std::string::npos);
     EXPECT_NE(with({"sheet.disc.material.density=2.4"}).find("so fast; young is in Pa"), std::string::npos);
 }
 
-// If the step hides a peak, a sheet seems not to fracture.
+// If the step is too long to resolve a peak of the strain, a sheet seems not to fracture.
 TEST(Plausibility, AStepThatIsLongForTheSlowestVibrationIsTold) {
     EXPECT_EQ(with({"sheet.disc.fracture.strain=0.4", "solver.step=1.7e-4"}), "");
     EXPECT_NE(with({"sheet.disc.fracture.strain=0.4", "solver.step=2e-4"}).find("long even for"),
@@ -83,7 +83,7 @@ material = { preset = "porcelain" }
     EXPECT_FALSE(contains(scaled.out, "warning")) << scaled.out;
 }
 
-// Cracks have no path in a sheet that is one polygon, and the result would be taken for a prediction.
+// Cracks have no path in a sheet of one polygon, and a user would take the result for a prediction.
 TEST(Plausibility, MeshesTooCoarseToBreakAreTold) {
     const TemporaryDirectory directory;
     directory.write("square.obj", "v 0 0 0\nv 0.2 0 0\nv 0.2 0.2 0\nv 0 0.2 0\nf 1 2 3 4\n");
@@ -111,7 +111,7 @@ TEST(Plausibility, StrengthsInTheWrongUnitAreTold) {
     }
 }
 
-// A mean would hide a part of the mesh that is too fine.
+// If the check compared the mean edge, it would miss a part of the mesh that is too fine.
 TEST(Plausibility, EdgesShorterThanTheThicknessAreTold) {
     const TemporaryDirectory directory;
     std::string strip;
@@ -135,7 +135,8 @@ TEST(Plausibility, EdgesShorterThanTheThicknessAreTold) {
     EXPECT_FALSE(contains(thin.out, "shorter than it is thick")) << thin.out;
 }
 
-// Newton's corrections would never fall below the spacing of positions there, and tolerances would be blamed.
+// Far from the origin positions are rounded so coarsely that Newton's corrections never become small enough,
+// and a user would blame the tolerance.
 TEST(Plausibility, PlacesWhereDigitsRunOutAreTold) {
     EXPECT_EQ(with({"sheet.disc.place.translate=[1e5, 0, 0.05]"}), "");
     EXPECT_NE(with({"sheet.disc.place.translate=[1e9, 0, 0.05]", "obstacle={}"})
@@ -167,7 +168,7 @@ TEST(Plausibility, ObstaclesOutOfReachAreTold) {
         << "it is moved there";
     EXPECT_TRUE(contains(with({ball + "keys=[{time=0},{time=0.02,translate=[0.4,0,0]}]}", "duration=0.01"}),
                          "nothing can reach obstacle.ball"));
-    // Sheets after a collision, with supports or in wind may go anywhere.
+    // No warning is given about sheets after a collision, with supports or in wind: they may go anywhere.
     const std::string wall = "obstacle.wall={plane={point=[-0.15,0,0],normal=[1,0,0]}}";
     EXPECT_TRUE(contains(with({wall, "duration=0.02"}), "nothing can reach obstacle.wall"));
     EXPECT_EQ(with({wall, "duration=0.2"}), "") << "shards fly";
@@ -198,7 +199,7 @@ TEST(Plausibility, CoarseCurvedSheetsThatLockAreTold) {
     EXPECT_EQ(tube({"sheet.disc.material.thickness=0.005"}), "");
 }
 
-// Users ignore warnings when some are wrong.
+// Users would ignore warnings if shipped scenes had wrong ones.
 class ShippedScene : public testing::TestWithParam<std::string> {};
 
 TEST_P(ShippedScene, HasNothingImplausible) {
@@ -232,7 +233,7 @@ INSTANTIATE_TEST_SUITE_P(
         return name;
     });
 
-// All sheets are tested together, but the message must name the sheet.
+// The check tests all sheets together, but its message must name the sheet that has the fault.
 TEST(Check, NamesTheSheetThatDoesNotHoldItsShape) {
     const TemporaryDirectory directory;
     const auto sheet = [](const std::string& name, const std::string& height, const std::string& thickness) {
@@ -275,7 +276,7 @@ TEST(Check, TellsWhatARunWillTake) {
     EXPECT_EQ(directory.contents().size(), 1u) << "nothing is written";
 }
 
-// The number of frames must be that of the run, whatever the intervals.
+// The number of frames in the estimate must be that of the run, whatever the interval between frames.
 TEST(Check, FramesAndSizeAreThoseOfTheRun) {
     const TemporaryDirectory directory;
     directory.write("scene.toml", disc);
@@ -292,7 +293,8 @@ TEST(Check, FramesAndSizeAreThoseOfTheRun) {
     }
 }
 
-// A pane of 1 m bears its weight at rest, at 2.4 of 3 MPa, but fractures when the weight is applied at once.
+// A pane of 1 m bears its weight at rest, with a stress of 2.4 MPa and a strength of 3 MPa, but fractures
+// when the weight is applied at once.
 TEST(Check, TellsThatWeightAloneBreaksAPane) {
     const TemporaryDirectory directory;
     directory.write("scene.toml", R"(duration = 0.06
@@ -324,7 +326,7 @@ TEST(Check, WarnsOfMoreThanADay) {
     EXPECT_TRUE(contains(result.out, "warning: scene.toml: will take more than a day, about ")) << result.out;
 }
 
-// Before a screen full of sheets and variants they would be lost.
+// Above a screen full of sheets and variants, a user would overlook warnings and mistakes.
 TEST(Check, WarningsAndMistakesComeLast) {
     const TemporaryDirectory directory;
     directory.write("scene.toml", disc + R"(

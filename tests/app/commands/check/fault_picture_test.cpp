@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `sherd check -o faults.ply` shows faults in MeshLab or Blender: otherwise a user has to count faces.
+// `sherd check -o faults.ply` writes a mesh that shows faults in MeshLab or Blender: without it a user has to
+// search for faces by number.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -24,7 +25,7 @@ using Rgb = std::array<int, 3>;
 constexpr Rgb grey{190, 190, 190}, red{220, 20, 20}, orange{255, 140, 0}, blue{0, 70, 220},
     violet{140, 40, 190}, yellow{240, 220, 0}, cyan{0, 170, 220};
 
-/// Colour of each face as MeshLab reads it; expects the same colour at its corners.
+/// Colour of each face as MeshLab reads it from the file. Expects that its corners have the same colour.
 std::vector<Rgb> face_colours(const TemporaryDirectory& directory, const std::string& name = "faults.ply") {
     const std::string bytes = directory.contents().at((directory.path / name).string());
     const PolygonSoup soup = parse_ply(name, bytes);
@@ -65,7 +66,7 @@ ProgramResult check(const TemporaryDirectory& directory, const std::string& scen
 
 const std::string strict = "contact.start = \"error\"\n";
 
-// Beside the error about a missing mesh, "no face crosses another" was once printed.
+// "no face crosses another" was once printed beside the error about a missing mesh.
 TEST(FaultPicture, SaysNothingOfTheFacesOfAMeshThatIsMissing) {
     const TemporaryDirectory directory;
     const ProgramResult result = check(directory, sheet("lost", "", "\"missing.obj\""));
@@ -106,12 +107,13 @@ TEST(FaultPicture, EachKindHasItsColour) {
     auto inside = colours_of(sheet("a", "") + "[obstacle.ball]\nsphere = { radius = 0.02 }\n");
     EXPECT_GT(inside[blue], 0);
     EXPECT_GT(inside[grey], inside[blue]);
-    // A needle between the vertices: only its surface meets the sheet.
+    // A needle goes between the sheet's vertices, so that no vertex is inside: only its surface meets the
+    // sheet.
     EXPECT_GT(
         colours_of(sheet("a", "") + "[obstacle.needle]\ncylinder = { radius = 0.001, length = 1, centre = "
                                     "[0.0137, 0.0071, 0], axis = [0, 0, 1] }\n")[violet],
         0);
-    // A box just below the sheet, between its vertices.
+    // A box is just below the sheet, between its vertices.
     auto near = colours_of(sheet("a", "") +
                            "[obstacle.post]\nbox = { size = [1e-3, 1e-3, 0.1], centre = "
                            "[0.012, 0.01, -0.0508] }\n");
@@ -125,7 +127,8 @@ TEST(FaultPicture, EachKindHasItsColour) {
     EXPECT_GT(book.at(grey), 0) << "the other sheet is missing";
 }
 
-// Exempt pairs do not keep a scene from starting, but the author of the mesh needs their places.
+// Pairs of faces that are exempt from contact do not keep a scene from starting, but the author of the mesh
+// needs their places.
 TEST(FaultPicture, WhatIsExemptIsDrawnToo) {
     const TemporaryDirectory directory;
     const ProgramResult result = check(directory, sheet("low", "") + sheet("high", upright));

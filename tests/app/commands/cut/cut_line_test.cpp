@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Otherwise a mesh is not cut where the line was drawn.
+// `sherd cut --line`: if one of these tests failed, a mesh would not be cut where the line was drawn.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -51,7 +51,8 @@ class CutLine : public ::testing::Test {
     TemporaryDirectory directory;
 };
 
-// From rim to rim at any angle, with or without moving vertices: two pieces with the areas of the halves.
+// A line from rim to rim must give two pieces, each with the area on its side of the line, with and without
+// moving vertices.
 TEST_F(CutLine, DividesARectangleWhereItIsDrawn) {
     const Mesh mesh = generate_rectangle(1, 1, {.edge_length = 0.06});
     for (const char* keep : {"", "--keep-vertices"}) {
@@ -93,8 +94,8 @@ TEST_F(CutLine, CrossesItselfAndOtherLines) {
     EXPECT_EQ(cut(mesh, "0 0.2 0\n1 0.7 0\n\n# another\n0.4 1 0\n0.61 0 0\n")["fragments"], 4);
 }
 
-// A coarse line on a curved sheet: the great circle, within 2 percent of its length, opens but does not
-// separate the sheet.
+// A coarse line on a curved sheet must follow the great circle, within 2 percent of its length. It opens the
+// sheet, but does not separate it.
 TEST_F(CutLine, FollowsACurvedSurface) {
     const Mesh mesh = generate_sphere(1, {.edge_length = 0.1});
     const auto json = cut(mesh, "1 0 0\n0 0.6 0.8\n");

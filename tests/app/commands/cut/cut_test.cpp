@@ -98,7 +98,8 @@ TEST_F(Cut, CountsWhatItDid) {
     EXPECT_EQ(json, expected);
 }
 
-// Surfaces that are closed, with a hole, of genus one; from few cracks that end inside to nearly all edges.
+// A tube and a torus, with few cracks that end inside up to a crack along every edge: a mesh that opened
+// otherwise than by the rule would have other pieces.
 TEST_F(Cut, FollowsTheCornerRuleOnAnySurface) {
     for (const bool wrap : {false, true})
         for (const unsigned percent : {5u, 30u, 70u, 100u}) {
@@ -107,7 +108,8 @@ TEST_F(Cut, FollowsTheCornerRuleOnAnySurface) {
         }
 }
 
-/// Mesh with every triangle divided into four at the midpoints of its sides, until it has `faces` of them.
+/// Mesh with every triangle divided into four at the midpoints of its sides, again and again until it has at
+/// least `faces` triangles.
 TriangleSheet subdivided(const Mesh& mesh, std::size_t faces) {
     TriangleSheet sheet;
     sheet.points = triangle_sheet(mesh).points;
@@ -132,7 +134,7 @@ TriangleSheet subdivided(const Mesh& mesh, std::size_t faces) {
     return sheet;
 }
 
-// Meshes from elsewhere: used if they are present beside the project.
+// Uses meshes from elsewhere, if they are present beside the project.
 TEST_F(Cut, FollowsTheCornerRuleOnRealMeshes) {
     const std::filesystem::path folder = std::filesystem::path(SHERD_SCENES) / "../../shared/data";
     if (!std::filesystem::exists(folder)) {
@@ -143,7 +145,7 @@ TEST_F(Cut, FollowsTheCornerRuleOnRealMeshes) {
     for (const auto& entry : std::filesystem::directory_iterator(folder))
         if (entry.path().extension() == ".obj")
             for (const unsigned percent : {10u, 60u}) expect_rule_on(entry.path(), percent, directory.path);
-    // Large ones, 94,000 to 248,000 faces from three real meshes, must take seconds.
+    // Large meshes, with 94,000 to 248,000 faces, made from three real meshes, must take only seconds.
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         if (entry.path().extension() != ".obj") continue;
         write_mesh(subdivided(read(entry.path()), 90'000), directory.path / "large.obj");
@@ -194,7 +196,7 @@ TEST_F(Cut, NamesAFileThatItCannotRead) {
     expect_named("edges.txt");
 }
 
-// Parts that an export has left a micrometre apart would open without being listed.
+// Parts that an exporter has left a micrometre apart would be separate pieces without a listed edge.
 TEST_F(Cut, JoinsWhatIsNearEnough) {
     write("mesh.obj",
           "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1.000001 0 0\nv 2 0 0\nv 2 1 0\nv 1.000001 1 0\n"
@@ -210,7 +212,7 @@ TEST_F(Cut, JoinsWhatIsNearEnough) {
     EXPECT_EQ(cut({"--join-within", "nan"}).exit_code, 2);
 }
 
-// A cut has no scene to write a key into.
+// `sherd cut` reads no scene, so that advice to write a key into it would be useless.
 TEST_F(Cut, AdvisesItsOwnOptions) {
     write("edges.txt", "0 1\n");
     write("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nf 1 2 3\nf 1 2 4\n");
@@ -221,7 +223,7 @@ TEST_F(Cut, AdvisesItsOwnOptions) {
     EXPECT_EQ(result.err.find("repair = true"), std::string::npos);
 }
 
-// --force is for old results, never for the input of the command.
+// --force replaces old results, but must never replace the input of the command.
 TEST_F(Cut, NeverReplacesWhatItReads) {
     write_mesh(triangle_sheet(test::grid(2, 2)), directory.path / "mesh.obj");
     write("edges.txt", "1 4\n");
@@ -244,8 +246,8 @@ Mesh read_cut(const std::filesystem::path& file) {
     return mesh;
 }
 
-// A textured mesh, with a seam, named parts and quads, must keep all of it: same faces in the same order,
-// same first corners, each corner's point, texture and groups.
+// A mesh with a texture that has a seam, with named parts and with quads, must keep all of these: faces and
+// their first corners in the same order, and each corner's point, texture coordinates and groups.
 TEST_F(Cut, KeepsTextureGroupsAndOrder) {
     write("mesh.obj",
           "o left wing\nv 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0.1\nv 1 1 0\nv 2 1 0\n"

@@ -85,7 +85,7 @@ TEST(Info, TellsTheEnergiesOfTheLastStepAndTheExtremesOfAll) {
     EXPECT_EQ(info["most_stages"], 3);
 }
 
-// For a recording without a balance, zeros would claim that nothing was lost.
+// If a recording has no energy balance, zeros would claim that nothing was lost.
 TEST(Info, HasNoBalanceOfARecordingOfBeforeThereWasOne) {
     const TemporaryDirectory folder;
     record(synthetic_run(), folder.path / "run.h5");
@@ -98,7 +98,7 @@ TEST(Info, HasNoBalanceOfARecordingOfBeforeThereWasOne) {
     EXPECT_NE(text.find("energy "), std::string::npos) << text;
 }
 
-// With the strain of another rest shape or face, the report would mislead its reader.
+// With the strain of another face, or relative to another rest shape, the report would mislead its reader.
 TEST(Info, TellsTheLargestMembraneStrainOfTheLastFrame) {
     const TemporaryDirectory folder;
     const auto reported = [&](const SyntheticRun& run) {
@@ -109,12 +109,12 @@ TEST(Info, TellsTheLargestMembraneStrainOfTheLastFrame) {
     };
     SyntheticRun run = synthetic_run();
     EXPECT_NEAR(reported(run)["strain"].get<double>(), 0, 1e-13) << "torn off and moved, but rigidly";
-    // Scaled by s in every direction: Green's strain is (s^2 - 1) / 2.
+    // A sheet scaled by s in every direction has Green's strain (s^2 - 1) / 2.
     run.frames[2].position *= 1.1;
     EXPECT_NEAR(reported(run)["strain"].get<double>(), 0.105, 1e-13);
     run.frames[2].position *= 0.5 / 1.1;
     EXPECT_NEAR(reported(run)["strain"].get<double>(), -0.375, 1e-13);
-    // The only corner that no other face has.
+    // This face has the only vertex that belongs to no other face.
     const Index face = 2 * synthetic::rows - 1;
     run.frames[2].position.col(run.frames[2].faces[face][2]).y() += 1;
     EXPECT_EQ(reported(run)["face"], face);
@@ -122,7 +122,7 @@ TEST(Info, TellsTheLargestMembraneStrainOfTheLastFrame) {
     EXPECT_TRUE(reported(run)["strain"].is_null()) << "a run that blew up has no largest strain";
 }
 
-// Users design against a strength by this number.
+// Users compare this stress with a strength.
 TEST(Info, TellsTheLargestStressAndCurvatureOfAllFrames) {
     const TemporaryDirectory folder;
     SyntheticRun run = synthetic_run();
@@ -182,7 +182,7 @@ TEST(Info, FragmentsShareOutTheWholeSheet) {
     for (const double a : run.header.rest_area) rest_area += a;
     EXPECT_NEAR(area, rest_area, 1e-14);
     EXPECT_NEAR(mass, run.frames[2].mass.sum(), 1e-14);
-    // No vertex is shared between fragments, so each has exactly the mass of its vertices.
+    // No vertex is shared between fragments, so that a fragment has exactly the mass of its vertices.
     double first = 0;
     for (std::size_t v = 0; v < run.frames[2].original.size(); ++v) {
         const auto& faces = run.frames[2].faces;

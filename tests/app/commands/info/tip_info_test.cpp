@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// List of tips: if rows of several tips were mixed, a reader would take one crack's speed for another's.
+// Table of crack tips: if rows of several tips were mixed, a reader would take one crack's speed for
+// another's.
 #include "app/commands/info/tip_info.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Output, recordings and errors of `sherd modes`.
+// `sherd modes`: output, recordings and errors. Otherwise users would take wrong frequencies for resonances.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +20,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Square of 0.1 m of unit weight and rigidity a^4 / 100^2, so that omega a^2 sqrt(rho t / D) = omega / 100.
+/// Square of side a = 0.1 m with rho t = 1 kg/m^2 and rigidity D = 1 N m, so that omega a^2 sqrt(rho t / D) =
+/// omega / 100.
 std::string square_plate(const std::string& more = "") {
     return "duration = 1\n[sheet.plate]\nmesh = { generate = \"rectangle\", width = 0.1, height = 0.1, "
            "edge_length = 0.005 }\nmaterial = { density = 1000, thickness = 1e-3, young = 10.92e9, poisson = "
@@ -46,7 +47,8 @@ class ModesCommand : public testing::Test {
     TemporaryDirectory directory;
 };
 
-// rho t = 1 kg/m^2, D = Y t^3 / (12 (1 - nu^2)) = 1 N m, a = 0.1 m: Leissa's numbers times 100 are omega.
+// With rho t = 1 kg/m^2, D = Y t^3 / (12 (1 - nu^2)) = 1 N m and a = 0.1 m, omega in 1/s is Leissa's number
+// times 100.
 TEST_F(ModesCommand, TellsTheFrequenciesOfAFreePlate) {
     const Json json = json_of(square_plate(), {"-n", "3"});
     EXPECT_EQ(json["rigid"], 6);
@@ -68,7 +70,7 @@ TEST_F(ModesCommand, TellsTheFrequenciesOfAFreePlate) {
     EXPECT_FALSE(contains(table.out, "left out")) << table.out;
 }
 
-// Supports must act as in a run: with an incomplete support frequencies would be too low.
+// Supports must act as in a run: if a support held too little, frequencies would be too low.
 TEST_F(ModesCommand, HoldsWhatTheSceneHolds) {
     const auto first = [&](const std::string& supports, int rigid) {
         const Json json = json_of(square_plate(supports), {"-n", "1"});
@@ -80,8 +82,9 @@ TEST_F(ModesCommand, HoldsWhatTheSceneHolds) {
     EXPECT_NEAR(first("pin = { boundary = true, free = [\"x\", \"y\"] }\n", 3), 2 * pi * pi, 0.2);
     EXPECT_NEAR(first("clamp = { boundary = true }\n", 0), 35.985, 0.6);
     EXPECT_NEAR(first("clamp = { box = [[-1, -1, -1], [1e-6, 1, 1]] }\n", 0), 3.471, 0.05);
-    // A quarter of the supported plate has its modes that are even in both directions: for a plate of twice
-    // the side, a quarter of the frequency.
+    // With two symmetry planes the square is a quarter of a simply supported plate of twice the side. Its
+    // modes are the modes of this plate that are even in both directions; the first has a quarter of the
+    // supported square's frequency.
     EXPECT_NEAR(
         first("pin = [{ box = [[0.0999, -1, -1], [1, 1, 1]] }, { box = [[-1, 0.0999, -1], [1, 1, 1]] }]\n"
               "symmetry = [{ point = [0, 0, 0], normal = [1, 0, 0] }, { point = [0, 0, 0], normal = "
@@ -90,7 +93,7 @@ TEST_F(ModesCommand, HoldsWhatTheSceneHolds) {
         pi * pi / 2, 0.1);
 }
 
-// Loads count with their stiffness, at their full size; the output must list what does not count.
+// Loads contribute their stiffness, at their full size. What modes leave out must be listed in the output.
 TEST_F(ModesCommand, SaysWhatItLeavesOut) {
     const std::string more =
         "velocity = [0, 0, -1]\n[obstacle.floor]\nplane = { point = [0, 0, -1] }\n"
@@ -108,7 +111,8 @@ TEST_F(ModesCommand, SaysWhatItLeavesOut) {
     EXPECT_EQ(two["left_out"], Json::array({"contact of the sheets with each other"}));
 }
 
-// An unstressed balloon is unstable under so large a pressure; no frequency may be shown.
+// An unstressed balloon is unstable under so large a pressure: the output must say so instead of giving a
+// frequency.
 TEST_F(ModesCommand, TellsOfAnUnstableState) {
     const std::string scene =
         "duration = 1\n[sheet.ball]\nmesh = { generate = \"sphere\", radius = 0.1, edge_length = 0.02 }\n"
@@ -170,7 +174,7 @@ TEST_F(ModesCommand, GivesAllModesOfASmallMesh) {
     EXPECT_TRUE(contains(result.out, "modes        all 6 that this mesh has")) << result.out;
 }
 
-// The recording must agree with the output, and an existing recording must be kept.
+// The recording must have the modes that are printed, and an existing recording must be kept.
 TEST_F(ModesCommand, RecordsWhatItPrints) {
     const Json json =
         json_of(square_plate(), {"-n", "2", "-o", "modes.h5", "--frames", "4", "--amplitude", "0.2"});
@@ -198,7 +202,7 @@ TEST_F(ModesCommand, RecordsWhatItPrints) {
     EXPECT_EQ(directory.contents(), before);
 }
 
-// Programs that show runs must show modes, and name them.
+// Commands that show runs must also show recorded modes, and name each mode.
 TEST_F(ModesCommand, IsShownByWhatShowsRuns) {
     ASSERT_EQ(modes(square_plate(), {"-n", "2", "-o", "modes.h5", "--frames", "4"}).exit_code, 0);
     const auto works = [&](const std::vector<std::string>& arguments) {
@@ -232,7 +236,7 @@ TEST_F(ModesCommand, TakesVariantsOneByOne) {
     EXPECT_EQ(json_of(scene, {"-n", "1", "--variant", "thick"})["variant"], "thick");
 }
 
-// Ctrl-C must leave a recording that can be read up to there.
+// Ctrl-C must leave a recording that can be read up to the interruption.
 TEST_F(ModesCommand, CanBeInterrupted) {
     directory.write("scene.toml", square_plate());
     const std::filesystem::path file = directory.path / "modes.h5";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `sherd probe` through the real program. probe_reference.py verifies its numbers; here, numbers of other
-// meshes, vertices or materials than given must be refused.
+// `sherd probe` through the real program. probe_reference.py verifies its numbers. Here the numbers must
+// belong to the given meshes, vertices and materials, and meshes or materials that do not fit are refused.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,7 +27,7 @@ f 1 2 4
 f 1 5 2
 )";
 
-/// Files rest.obj, deformed.obj and material.toml in a folder of their own.
+/// Test with the files rest.obj, deformed.obj and material.toml in a folder of its own.
 struct ProbeTest : testing::Test {
     ProbeTest() {
         directory.write("rest.obj", fold);
@@ -83,7 +83,7 @@ TEST_F(ProbeTest, NumbersOfTheFileWithZeroForceWhereNoFaceIs) {
     }
 }
 
-// The fold bends towards the faces' normals, so that their tops are compressed.
+// The fold bends towards the faces' normals, so that the top surfaces of the faces are compressed.
 TEST_F(ProbeTest, StressIsLargestWhereTheFoldIsStretched) {
     directory.write("rest.obj", replaced(fold, "v 0.6 -0.5 0.4", "v 0.6 -0.5 0"));
     directory.write("deformed.obj", replaced(fold, "v 0.6 -0.5 0.4", "v 0.6 -0.49999 0.003"));

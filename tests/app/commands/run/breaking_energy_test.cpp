@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fragments of explicit steps, even single faces, must not vibrate faster than the substep allows: their
-// energy would grow without bound within a step, and throw everything about.
+// In explicit steps a fragment, even a single face, must not vibrate faster than the substep permits: its
+// energy would grow without bound within a step, and throw fragments about.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// In a sheet that is torn out of its plane the intensities at a tip are meaningless: if they were used,
-// cracks would turn to the sides at once.
+// In a sheet that is torn out of its plane the stress intensity factors at a tip are meaningless: if tips
+// followed them, cracks would turn to the sides at once.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ TEST(BreakingFlap, CracksAroundATornFlapRunTogether) {
     simulation.take_events();
     while (simulation.time() < scene.duration) simulation.step();
     const Positions& rest = simulation.shell().mechanics().rest;
-    Vector2d left(0, 0), right(0, 0);  // farthest ends
+    Vector2d left(0, 0), right(0, 0);  // farthest points of the two cracks
     const CrackEvents events = simulation.take_events();
     for (const EdgeFailure& failure : events.failures)
         for (const Index v : failure.vertices) {

@@ -9,7 +9,7 @@
 namespace sherd::test {
 namespace {
 
-/// Notched strip, pulled apart: edges of 8 mm, and at most 750 m/s, give 1.07e-5 s.
+/// Notched strip, pulled apart. A crack at 750 m/s, its speed limit, passes an edge of 8 mm in 1.07e-5 s.
 const std::string notched_strip = R"(duration = 4e-4
 [sheet.strip]
 mesh = { generate = "rectangle", width = 0.1, height = 0.06, edge_length = 0.008 }
@@ -29,7 +29,7 @@ gravity = [0, 0, 0]
 step = 4e-5
 )";
 
-/// Line of the program about the propagation of cracks; empty if there is none.
+/// Line of the program's output about the propagation of cracks; empty if there is none.
 std::string words_of_cracks(std::vector<std::string> arguments, const std::vector<std::string>& sets,
                             const std::string& scene = notched_strip) {
     const TemporaryDirectory directory;
@@ -62,7 +62,7 @@ TEST(CrackStep, StaticsHaveNone) {
     EXPECT_EQ(checked_strip({"solver.scheme=static", "solver.step=0.5"}, timeless), "");
 }
 
-// Explicit steps evaluate cracks once: too long ones hold cracks back.
+// Explicit steps let a crack advance by one edge at most, so that long steps hold cracks back.
 TEST(CrackStep, ExplicitStepsAreToldWhereTheyHoldCracksBack) {
     EXPECT_EQ(checked_strip({"solver.scheme=explicit", "solver.step=2e-6"}), "");
     EXPECT_EQ(

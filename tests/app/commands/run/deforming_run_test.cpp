@@ -24,7 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Flap of two triangles, hinged along y, that is raised below a plate: a quarter turn in 0.1 s.
+/// Points of a flap of two triangles, hinged along y, that turns up below a plate: by a quarter turn in 0.1
+/// s.
 Positions hinged_flap(double time) {
     const double angle = 0.5 * 3.14159265 * time / 0.1;
     Positions points(3, 4);
@@ -62,7 +63,7 @@ class DeformingRun : public ::testing::Test {
         const ProgramResult result = run_sherd(more, folder.path);
         ASSERT_EQ(result.exit_code, 0) << result.err;
     }
-    /// Points at `time`, linear between samples.
+    /// Points of the flap at `time`, s, linear between the samples of the cache.
     static Positions expected(double time) {
         const double before = std::floor(time / 0.01 + 1e-9) * 0.01, share = (time - before) / 0.01;
         return hinged_flap(before) + share * (hinged_flap(before + 0.01) - hinged_flap(before));
@@ -101,7 +102,7 @@ TEST_F(DeformingRun, IsRecordedFrameByFrame) {
               std::string::npos);
 }
 
-// The flap throws the plate up, and the balance must include its work.
+// The flap throws the plate up, and the energy balance must include the flap's work.
 TEST_F(DeformingRun, PushesWhatItMeets) {
     for (const char* scheme : {"implicit-euler", "explicit", "auto"}) {
         run({"--force", "--set", std::string("solver.scheme=") + scheme});
@@ -177,7 +178,7 @@ TEST_F(DeformingRun, IsInThePage) {
     EXPECT_NEAR(points[8], expected(0.012)(2, 2), 1e-7);
 }
 
-// Pictures of two frames must differ in the flap.
+// Pictures of two frames must show the flap in two shapes.
 TEST_F(DeformingRun, IsDrawnAsItStands) {
     run();
     const Recording recording(folder.path / "scene.h5");

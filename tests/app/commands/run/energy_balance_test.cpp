@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Energy balance of whole runs with features that no shipped scene has: every load, moving clamps, wind,
-// damping, bodies, statics. The work of a force missing in it would remain as a residual.
+// damping, bodies, statics. If the balance lacked the work of a force, a residual would remain.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ Extremes extremes(const std::vector<StepReport>& steps) {
     return found;
 }
 
-/// Runs the scene, expects a closed balance and returns the steps.
+/// Runs the scene, expects an energy balance without a residual, and returns the steps.
 std::vector<StepReport> balanced_run(const std::filesystem::path& scene, std::vector<std::string> options) {
     const test::TemporaryDirectory directory;
     options.insert(options.begin(), {"run", scene.string(), "-o", "run.h5"});
@@ -58,7 +58,7 @@ TEST(EnergyBalance, ClosesWithBodiesAndAnObstacleThatMoves) {
     EXPECT_GT(last.lost_to_cracks, 0);
 }
 
-// In statics loads store their work in the sheet, except for the error of the finite step length.
+// In statics the work of loads is stored in the sheet, except for the error of the finite step length.
 TEST(EnergyBalance, ClosesInStatics) {
     const test::TemporaryDirectory directory;
     const auto scene = directory.write("bent.toml", R"([sheet.strip]

@@ -23,7 +23,8 @@ struct Blow {
         result = run_sherd({"run", "scene.toml", "-o", "run.h5"}, directory.path);
     }
     std::vector<StepReport> steps() const { return Recording(directory.path / "run.h5").steps(); }
-    /// Whether the run ended with the error about a passage, or a step that cannot be solved.
+    /// Whether the run ended with an error that an object passes through another, or that a step cannot be
+    /// solved.
     bool is_refused() const {
         return result.exit_code == 1 && (result.err.find("passes through") != std::string::npos ||
                                          result.err.find("cannot be solved") != std::string::npos);
@@ -33,7 +34,8 @@ struct Blow {
     ProgramResult result;
 };
 
-// In one step the sheet moves five times its distance to the pane: the minimiser once moved it round the rim.
+// In one step the sheet moves five times its distance to the pane. The minimiser once moved it round the
+// pane's rim.
 TEST(Passage, ASheetDoesNotJumpBehindAnother) {
     const Blow blow(R"(duration = 0.02
 [solver]
@@ -54,7 +56,7 @@ preset = "pmma"
     EXPECT_LT(steps.back().kinetic, 0.9 * 12.8) << "J: the pane took nothing of the blow";
 }
 
-// The pane, which does not fracture, must be in front of the hammer: 185 mm down, at its face.
+// The pane, which does not fracture, must be in front of the hammer, whose face ends at z = -185 mm.
 TEST(Passage, AHammerThatIsToldToGoThroughAPaneTakesItAlong) {
     const Blow blow(R"(duration = 0.003
 [output]
@@ -75,8 +77,8 @@ preset = "glass"
     EXPECT_LT(end.position.row(2).minCoeff(), -0.185);
 }
 
-// The impact exceeds the springs of explicit steps, a case that was once tested for sheets and obstacles
-// only.
+// The impact is too strong for the contact springs of explicit steps. The program once looked for passages
+// only between sheets and obstacles.
 TEST(Passage, AFreeBallThatPassesASheetInExplicitStepsEndsTheRun) {
     const Blow blow(R"(duration = 6e-4
 [solver]
@@ -96,7 +98,8 @@ preset = "eggshell"
     EXPECT_NE(blow.result.err.find("a free body through a sheet"), std::string::npos) << blow.result.err;
 }
 
-// Crack faces separate during explicit steps, and implicit ones follow: once a segmentation fault.
+// Crack faces separate during explicit steps, and implicit steps follow: this once ended in a segmentation
+// fault.
 TEST(BreakingPassage, AutoGoesOnWithAFreeBallAndCracksThatPart) {
     const Blow blow(R"(duration = 1e-3
 [force]

@@ -54,7 +54,7 @@ TEST(PeakTable, CountsHingesOverThresholds) {
     EXPECT_NE(table.find("of its 1000 hinges over 900: 100\n"), std::string::npos) << table;
 }
 
-/// Some steps of a stoneware disc that falls onto a floor at an angle.
+/// The first steps of a stoneware disc that falls onto a floor at an angle, and the table of its peaks.
 struct Dropped {
     Scene scene;
     RunTotals totals;
@@ -86,8 +86,8 @@ TEST(PeakTable, OfASheetThatCannotBreakHasStressAndStrain) {
     EXPECT_GT(dropped.rows[1].peaks.back(), 0);
 }
 
-// With scatter and directions a hinge breaks at its own multiple of the threshold: the table must say at
-// which threshold it would have.
+// With scatter or directions each hinge breaks at its own multiple of the threshold: the table must give the
+// threshold at which it would have broken.
 TEST(PeakTable, CountsWhatEachHingeMakesOfTheThreshold) {
     for (const std::string fracture : {"strain = 1000", "strain = 1000\nmeasure = \"bending\"",
                                        "strength = [1e12, 3e12]\nweibull = 4", "strain = [2000, 1000]"}) {
@@ -103,7 +103,8 @@ TEST(PeakTable, CountsWhatEachHingeMakesOfTheThreshold) {
               "bending strain, 1/m");
 }
 
-// A tempered surface breaks above the sum of its strength and its compression: the table is of the strength.
+// A tempered surface breaks where the stress exceeds the strength plus the compression. The table must give
+// peaks less the compression, so that a user can compare them with `strength`.
 TEST(PeakTable, LeavesOutTheCompressionOfATemperedSurface) {
     const std::string tough = "[sheet.disc.fracture]\nstrength = 1e12\ntoughness = 1e6\n";
     const Dropped plain(tough), tempered("material.tempered = 1e5\n" + tough);
@@ -135,7 +136,7 @@ TEST(RunSummary, TellsPeaksWhenNothingBrokeAndWhatNothingTouched) {
     for (const char* part : {"\npeaks of hinges", "\n  plate stress, Pa", "\n  plate strain, 1/m",
                              "\nnothing touched       obstacle.ceiling, obstacle.ball\n"})
         EXPECT_NE(whole.out.find(part), std::string::npos) << part << "\n" << whole.out;
-    // Two triangles with a hinge of hardly any strength, which breaks in the first step on any machine.
+    // Two triangles share a hinge with hardly any strength, which breaks in the first step on any machine.
     directory.write("square.obj", "v 0 0 0\nv 0.1 0 0\nv 0.1 0.1 0\nv 0 0.1 0\nf 1 2 3\nf 1 3 4\n");
     directory.write("scene.toml", R"(duration = 0.001
 [sheet.square]

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Resumed runs, through the real program: --resume may not change bits, repeat finished work, or lose
-// existing data. resume_kills.py kills runs.
+// existing data. (resume_kills.py resumes runs that were killed.)
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -102,8 +102,8 @@ TEST(Resume, LeavesAFinishedRunAlone) {
     EXPECT_EQ(fs::last_write_time(scene.file("run.h5")), before);
 }
 
-// Checkpoints of a complete run were once larger than its recording. A user who wants it longer must be told
-// how, and a changed scene must not pass for a complete run.
+// A complete run keeps no checkpoints, which were once larger than its recording. A user who wants to make
+// the run longer must be told how, and a changed scene must not count as complete.
 TEST(Resume, KeepsNoCheckpointOfACompleteRun) {
     const Falling scene;
     ASSERT_EQ(scene.run({"-o", "run.h5"}).exit_code, 0);
@@ -117,8 +117,8 @@ TEST(Resume, KeepsNoCheckpointOfACompleteRun) {
     EXPECT_NE(damped.err.find("its scene had another text"), std::string::npos) << damped.err;
 }
 
-// The last step ends after a duration that is no multiple of steps, and by rounding after many that are: nine
-// steps of 0.001 s exceed 0.009 s. Such a run was once refused as too long.
+// The last step ends after the duration if the duration is no multiple of the step, and by round-off after
+// many durations that are: nine steps of 0.001 s exceed 0.009 s. Such a run was once refused as too long.
 TEST(Resume, LeavesARunAloneWhoseLastStepEndsAfterItsDuration) {
     const Falling scene;
     for (const double duration : {0.0085, 0.009}) {
@@ -152,7 +152,7 @@ TEST(Resume, TakesTheOlderCheckpointWhenTheNewerIsTorn) {
     ASSERT_EQ(scene.run({"-o", "whole.h5"}).exit_code, 0);
     ASSERT_EQ(scene.run({"-o", "run.h5", "--until", "0.004"}).exit_code, 0);
     const auto files = checkpoint_files(scene.file("run.h5"));
-    fs::resize_file(files[0], fs::file_size(files[0]) - 1);  // the second; the first was number 1
+    fs::resize_file(files[0], fs::file_size(files[0]) - 1);  // has checkpoint number 2; files[1] has number 1
     const ProgramResult rest = scene.run({"-o", "run.h5", "--resume"});
     EXPECT_EQ(rest.exit_code, 0) << rest.err;
     EXPECT_NE(rest.err.find("run.h5.checkpoint-1' is damaged or cut off"), std::string::npos) << rest.err;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// End of runs, through the real program.
+// How runs end, and what they say then, through the real program.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -42,8 +42,8 @@ TEST(Run, ThatCannotGoOnEndsWithARecordingOfWhatWas) {
     EXPECT_NE(info.out.find("failed: step 1"), std::string::npos) << info.out;
 }
 
-// A needle requires too many explicit substeps. A user who chose explicit steps for collisions must be told
-// that there were none.
+// A face that is a needle requires too many explicit substeps. A user who chose explicit steps for collisions
+// must be told that implicit steps were made instead.
 TEST(Run, TellsWhereExplicitStepsCouldNotGoOn) {
     const test::TemporaryDirectory directory;
     std::ofstream(directory.path / "needle.obj") << "v 0 0 0\nv 1 0 0\nv 0.5 1e-9 0\nf 1 2 3\n";
@@ -68,7 +68,7 @@ scheme = "auto"
     }));
 }
 
-// A single sliver of a scan makes a run thousands of times as long, and must be named.
+// A single sliver in a scanned mesh makes a run thousands of times as long: the program must name the face.
 TEST(Run, NamesTheFaceThatAsksForManySubsteps) {
     const test::TemporaryDirectory directory;
     std::ofstream(directory.path / "sliver.obj")
@@ -90,7 +90,8 @@ step = 1e-2
     EXPECT_EQ(result.err.find(words, found + 50), std::string::npos) << "once is enough\n" << result.err;
 }
 
-// A run that diverges is complete, and one term of its balance takes all of the energy.
+// A run whose time scheme diverges ends as complete, while one term of its balance takes all of the energy:
+// without a message nobody would notice.
 TEST(Run, TellsOfEnergyThatTheTimeSchemeMade) {
     const test::TemporaryDirectory directory;
     std::ofstream(directory.path / "scene.toml") << R"(
@@ -105,7 +106,8 @@ plane = { point = [0, 0, 0], normal = [0, 0, 1] }
 [solver]
 step = 3.5e-4
 )";
-    // The history of BDF2 predicts an impact badly when steps are long; implicit Euler only dissipates.
+    // From its history BDF2 predicts an impact badly when steps are long; implicit Euler only dissipates
+    // energy.
     for (const std::string scheme : {"bdf2", "implicit-euler"}) {
         const auto result = test::run_sherd(
             {"run", "scene.toml", "-o", "run.h5", "--force", "--set", "solver.scheme=" + scheme},
@@ -115,7 +117,7 @@ step = 3.5e-4
     }
 }
 
-// Users need to see what a run spends its time on, without having to filter it out of the results.
+// Users need to see what a run spends its time on, but must not have to filter it out of the results.
 TEST(Run, TellsBesideItsResultsWhatTimeWasSpentOn) {
     const test::TemporaryDirectory directory;
     const auto result = run_briefly("run.h5", directory);
@@ -140,7 +142,7 @@ TEST(Run, TellsBesideItsResultsWhatTimeWasSpentOn) {
     EXPECT_NEAR(solver_parts, linear_solver, 0.3);
 }
 
-// Otherwise the time spent would be in a recording, or have influenced the run.
+// If the bytes differed, measured times would be in the recording, or would have influenced the run.
 TEST(Run, TwoRunsRecordTheSameBytesButForTheirWallTime) {
     const test::TemporaryDirectory directory;
     for (const char* name : {"one.h5", "two.h5"}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All variants of a scene by one command, through the real program: files and messages of each.
+// Runs of all variants of a scene by one command, through the real program: their files and messages.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -58,7 +58,7 @@ TEST(RunVariants, AreWrittenWhereTheOutputSays) {
     EXPECT_TRUE(fs::exists(directory.path / "folder" / "drop-turning.h5"));
     EXPECT_EQ(run_sherd({"run", "scene.toml", "-o", "missing/folder"}, directory.path).exit_code, 2);
 
-    // If any file exists, nothing is run, and nothing replaced.
+    // If any output file exists, nothing is run, and nothing is replaced.
     for (const char* name : {"drop-slow.h5", "drop-slow.xdmf"}) fs::remove(directory.path / "folder" / name);
     const auto before = directory.contents();
     const ProgramResult kept = run_sherd({"run", "scene.toml", "-o", "folder/drop.h5"}, directory.path);

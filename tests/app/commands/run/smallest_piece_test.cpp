@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Messages of the program about pieces that fracture.smallest forbade.
+// Messages of the program about failures that the key fracture.smallest forbade.
 #include <gtest/gtest.h>
 
 #include "tests/support/program/program.h"
@@ -8,8 +8,8 @@
 namespace sherd::test {
 namespace {
 
-// A score from rim to rim breaks a disc in two, except for the edge that holds the pieces together because
-// they are too small: without a message, a picture would be taken for physics.
+// A score from rim to rim breaks a disc in two, unless both pieces would be too small: then an edge that must
+// not fail holds them together. Without a message a user would take that for physics.
 TEST(SmallestPiece, ARunTellsHowManyFailuresItForbade) {
     const TemporaryDirectory directory;
     directory.write("scene.toml", R"(duration = 0.004

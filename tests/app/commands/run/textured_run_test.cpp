@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Otherwise a run changes the texture coordinates or materials of a textured mesh.
+// If one of these tests failed, runs or exports would change the texture coordinates or materials of a mesh.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -23,12 +23,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Texture coordinates of places on the plate, on either side of the seam at x = 0.
+/// Texture coordinates of a place on the plate, on the left or right side of the seam at x = 0.
 Eigen::Vector2d texture_at(const Vector3d& place, bool left) {
     return {2 * place.x() + 0.5 * place.y() + (left ? 3 : 0), 0.25 - 4 * place.y()};
 }
 
-/// Plate of 0.2 m about the origin in squares, with a seam, and a border of materials, along x = 0.
+/// OBJ file of a plate of 0.2 m about the origin, made of squares. Along x = 0 the texture has a seam, and
+/// two materials meet.
 std::string plate_obj() {
     constexpr int squares = 10;
     std::ostringstream points, texture, faces[2];
@@ -59,7 +60,7 @@ constexpr const char* looks =
     "newmtl glaze\nKd 0.1 0.2 0.6\nmap_Kd -s 1 1 pictures/blue glaze.png\nnewmtl bare clay\nKd 0.7 0.4 0.2\n"
     "newmtl unused\nKd 1 0 0\n";
 
-/// Picture of one pixel.
+/// PNG file of one pixel.
 const std::string png(
     "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1\x8\2\0\0\0\x90wS\xde\0\0\0\xcIDATx\x9c\x63\x60\x60\x60\0\0"
     "\0"
@@ -108,7 +109,7 @@ class TexturedRun : public testing::Test {
     TemporaryDirectory folder;
 };
 
-/// Place of a face's corner in the file's plate, whose faces are flat.
+/// Place of a corner of a recorded face on the unbroken plate, a flat mesh.
 Vector3d in_plate(const RestMesh& rest, std::size_t face, int corner, const Mesh& plate) {
     const Vector3d weights = place_in_parent(rest, face, corner);
     Vector3d place = Vector3d::Zero();
@@ -182,7 +183,7 @@ TEST_F(TexturedRun, GroupsAndObjectsAreOnThePiecesAsGroups) {
     EXPECT_NE(vtp.find("Name=\"group_names\" NumberOfTuples=\"1\""), std::string::npos);
 }
 
-// Artists give the broken sides a texture of their own, at the scale of the object.
+// Artists give the broken sides a texture of their own, which must have the scale of the object.
 TEST_F(TexturedRun, BrokenSidesOfSolidsAreInsideAndMeasuredInMetres) {
     succeeds({"export", "run.h5", "--to", "obj", "--sheets-only", "--solid", "-o", "solid.obj"});
     const Mesh mesh = read("solid.obj");
@@ -238,7 +239,7 @@ std::set<std::string> part_materials(const Glb& glb) {
     return names;
 }
 
-// Otherwise artists have to set up every material of every shot again.
+// Without materials in the file, artists would have to set up every material of every shot again.
 TEST_F(TexturedRun, GlbHasTheMaterialsAndTheirPictures) {
     succeeds({"export", "run.h5", "--to", "glb", "--sheets-only", "--solid", "-o", "run.glb"});
     const Glb glb(folder.contents().at(folder.path / "run.glb"));
@@ -268,7 +269,7 @@ TEST_F(TexturedRun, APictureThatIsNotThereIsToldAndTheRestIsWritten) {
     EXPECT_FALSE(glb.json.contains("images"));
 }
 
-// A fragment whose edges are shaded round looks like soap.
+// A fragment whose broken edges are shaded smoothly looks like soap.
 TEST_F(TexturedRun, NormalsOfSolidsAreSmoothOutsideAndHardAtTheBreak) {
     succeeds({"export", "run.h5", "--to", "glb", "--sheets-only", "--solid", "-o", "run.glb"});
     const Glb glb(folder.contents().at(folder.path / "run.glb"));
@@ -291,7 +292,7 @@ TEST_F(TexturedRun, NormalsOfSolidsAreSmoothOutsideAndHardAtTheBreak) {
     EXPECT_GT(broken, 0u);
 }
 
-// ParaView needs them to show a picture on the sheet.
+// ParaView needs texture coordinates and numbers of materials to show a picture on the sheet.
 TEST_F(TexturedRun, VtpHasTextureCoordinatesOfPointsAndMaterialsOfFaces) {
     succeeds({"export", "run.h5", "--to", "pvd", "--frames", "-1", "-o", "run.pvd"});
     const std::string vtp = folder.contents().at(folder.path / "run_000004.vtp");
@@ -306,7 +307,7 @@ TEST_F(TexturedRun, VtpHasTextureCoordinatesOfPointsAndMaterialsOfFaces) {
               shared_values(frame.rest.look.material).number);
 }
 
-/// The plate as .ply, whose colours follow its places.
+/// The plate as a .ply file, in which colours depend on the place.
 std::string painted_plate() {
     std::ostringstream ply;
     ply << "ply\nformat ascii 1.0\nelement vertex 121\nproperty float x\nproperty float y\nproperty float z\n"
@@ -325,7 +326,7 @@ std::string painted_plate() {
     return ply.str();
 }
 
-// Otherwise a painted scan breaks into white pieces.
+// If pieces lost the colours of their places, a painted scan would break into white pieces.
 TEST_F(TexturedRun, ColoursOfPlyAreThoseOfTheirPlacesOnThePieces) {
     folder.write("plate.ply", painted_plate());
     succeeds({"run", "scene.toml", "-o", "painted.h5", "--set", "sheet.plate.mesh=plate.ply"});
@@ -355,7 +356,7 @@ TEST_F(TexturedRun, ColoursOfPlyAreThoseOfTheirPlacesOnThePieces) {
         EXPECT_TRUE(fragment["primitives"][0]["attributes"].contains("COLOR_0"));
 }
 
-// A run resumed from a checkpoint must keep the looks of earlier fragments.
+// A run resumed from a checkpoint must keep textures, materials and colours of earlier fragments.
 TEST_F(TexturedRun, LooksOfWhatBrokeGoOnWithTheRun) {
     folder.write("plate.ply", painted_plate());
     for (const std::string mesh : {"plate.obj", "plate.ply"}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sheets of uneven thickness through the whole program, against beam theory.
+// Sheets of uneven thickness, run by the whole program and compared with beam theory.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@
 namespace sherd::test {
 namespace {
 
-using Profile = std::function<double(double)>;  ///< m, over x, m
+using Profile = std::function<double(double)>;  ///< m or N m, as a function of x, m
 
 constexpr double length = 1, width = 0.1, young = 1e9, density = 1000;
 
@@ -27,7 +27,7 @@ double taper(double x) {
 
 class UnevenBeam : public testing::Test {
   protected:
-    /// Strip along x of this thickness, clamped at x = 0.
+    /// Scene of a strip along x with this thickness; clamped() clamps it at x = 0.
     std::string beam(const Profile& thickness, double edge_length = 0.025) {
         const auto value = [&](double x, double, double) { return thickness(x); };
         write_vdb(directory.path / "t.vdb",
@@ -46,7 +46,8 @@ material = {{ density = {}, young = {}, poisson = 0, thickness = {{ vdb = "{}" }
     TemporaryDirectory directory;
 };
 
-/// Deflection of the tip by Euler and Bernoulli: moment(x) in N m, integrated by Simpson's rule.
+/// Deflection of the tip, m, of a beam by Euler and Bernoulli with moment(x), N m, integrated by Simpson's
+/// rule.
 double deflection(const Profile& thickness, const Profile& moment) {
     constexpr int parts = 1000;
     double sum = 0;
@@ -64,14 +65,15 @@ struct BeamCase {
 
 class TaperedBeam : public UnevenBeam, public testing::WithParamInterface<BeamCase> {
   protected:
-    /// Deflection of the tip in z, m, with this load and gravity.
+    /// Deflection of the tip in z, m, under gravity and the loads of the scene text `load`.
     double computed(const Profile& thickness, const std::string& load) {
         const auto run = simulation_of(
             beam(thickness) + clamped() + load +
             fmt::format("[solver]\nscheme = \"static\"\nstep = 1\nbending = \"{}\"\n", GetParam().bending));
         return run->step().gauges[0].displacement.z();
     }
-    /// The paper's hinges have the same relative error for even and uneven thickness.
+    /// Compares the deflection of the tapered beam with theory, and more strictly its ratio to that of an
+    /// even beam, since the paper's hinges have the same relative error for both.
     void expect_theory(const std::string& load, double of_taper, double of_even) {
         const double found = computed(taper, load);
         EXPECT_NEAR(found, of_taper, GetParam().tolerance * std::abs(of_taper));
@@ -116,7 +118,8 @@ double notched(double x) {
     return std::abs(x - 0.25) < 0.03 ? 0.005 : 0.01;
 }
 
-// By stress and by strain: the thin place bends most, and bears most.
+// With a threshold of stress and with a threshold of strain, the beam must break at its thin place, where
+// both are largest.
 TEST_F(UnevenBeam, BreaksWhereItIsThin) {
     for (const char* fracture : {"strength = 1e6", "strain = 0.5"}) {
         const auto run = simulation_of(beam(notched) + clamped() +
@@ -206,7 +209,7 @@ step = 5e-6
         EXPECT_NEAR(shell.thickness[v], taper(shell.rest(0, v)), 1e-7);
 }
 
-// Near a floor the thick end overlaps it, while the thin end is above.
+// The thick end of the beam overlaps the floor, while its thin end is above it.
 TEST_F(UnevenBeam, StartsWhereHalfItsThicknessLetsIt) {
     const std::string text = "duration = 2e-4\n" + beam(taper) +
                              "place = { translate = [0, 0, 0.007] }\n[obstacle.floor]\nplane = {}\n";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// After an end of the program, or the machine, at any moment, a journaled file must have its last committed
-// content.
+// A journaled file must have its last committed content, whenever the program or the machine ends: otherwise
+// a recording would be lost.
 #include "app/files/disk/journaled_file.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ std::string content(const ByteFile& file) {
     return bytes;
 }
 
-/// Makes a random change as HDF5 does, to a file and to a string.
+/// Makes a random change, as HDF5 makes them, both to a file and to a string with the same content.
 void change(JournaledFile& file, std::string& same, std::mt19937& random) {
     if (random() % 8 == 0) {
         const std::size_t size = random() % (same.size() + 700);
@@ -48,7 +48,7 @@ void change(JournaledFile& file, std::string& same, std::mt19937& random) {
     same.replace(offset, bytes.size(), bytes);
 }
 
-/// File that is changed several times, with all system calls.
+/// A file that is changed several times: its committed states, and all system calls.
 struct History {
     explicit History(unsigned seed, bool with_reader) {
         std::mt19937 random(seed);
@@ -88,7 +88,7 @@ struct History {
         states.push_back(state);
     }
 
-    /// Number of the last state that was committed before a call.
+    /// Number of the last state that was committed before the system call of this number.
     std::size_t committed(std::size_t call) const {
         return static_cast<std::size_t>(
             std::ranges::count_if(done, [&](std::size_t i) { return i <= call; }));
@@ -99,15 +99,17 @@ struct History {
     std::vector<std::string> states;
     std::vector<SystemCall> made;
     std::size_t opened = 0;
-    std::vector<std::size_t> done;  ///< number of calls at the end of each commit
+    std::vector<std::size_t> done;  ///< number of calls until the end of each commit
 };
 
-/// Expects one of two states after an end before the call of this number, for readers and after repair.
+/// Expects that a file has the last committed state or the next one, if its program ended before the system
+/// call of this number: readers must see that before and after repair.
 void expect_one_of(const History& history, std::size_t call, const fs::path& file) {
     const std::size_t last = history.committed(call);
     const std::string read = content(OverlaidFile(file, {}));
     const bool is_next = last + 1 < history.states.size() && read == history.states[last + 1];
-    // Before the first journal its file length is unknown, but nothing follows the end.
+    // Before the first journal no committed size is stored, but nothing has been written behind the end yet,
+    // either.
     ASSERT_TRUE(is_next || read == history.states[last])
         << "at call " << call << " of " << history.made.size();
     recover(file);
@@ -142,7 +144,7 @@ TEST(LongJournaledFile, IsWhatWasCommittedLastAfterAnyEnd) {
     for (unsigned seed = 100; seed < 100 + seeds; ++seed) expect_survives(seed, seed % 2 == 1, 12);
 }
 
-// A writer must continue where another one was ended, and may be ended, too.
+// A writer must continue where another writer was ended, and may be ended, too.
 TEST(JournaledFile, GoesOnAfterAnyEnd) {
     const History history(3, true);
     std::mt19937 random(3);
@@ -163,7 +165,7 @@ TEST(JournaledFile, GoesOnAfterAnyEnd) {
     }
 }
 
-/// File that is changed until a call fails, and once more.
+/// A file that is changed until a call fails, and then once more.
 struct Failure {
     Failure(std::size_t failing, int reason) {
         const fs::path file = folder.write("run.h5", states.back());
@@ -237,7 +239,7 @@ TEST(JournaledFile, WaitsForNoReaderAndDoesNotChangeTheFileUnderOne) {
     EXPECT_EQ(folder.contents().at(file.string()), next);
 }
 
-// h5py, which ignores journals, must get new data even while another reader keeps the file open all day.
+// h5py, which ignores journals, must get new data even if another reader keeps the file open all day.
 TEST(JournaledFile, ChangesTheFileUnderAReaderAfterItsLongestWait) {
     const TemporaryDirectory folder;
     const fs::path file = folder.write("run.h5", "as it was");
@@ -254,7 +256,8 @@ TEST(JournaledFile, ChangesTheFileUnderAReaderAfterItsLongestWait) {
     EXPECT_EQ(folder.contents().at(file.string()), next);
 }
 
-/// Content of a folder with a committed file whose writer was killed before it changed the file itself.
+/// Returns the content of a folder with a committed file, whose writer was killed before it changed the file
+/// itself.
 std::map<std::string, std::string> left_by_a_killed_writer(const TemporaryDirectory& folder) {
     const fs::path file = folder.write("run.h5", std::string(2000, 'a'));
     JournaledFile journaled(file);
@@ -265,7 +268,7 @@ std::map<std::string, std::string> left_by_a_killed_writer(const TemporaryDirect
     return folder.contents();
 }
 
-// A journal beside another file of the same name would destroy that file.
+// A journal that lies beside another file of the same name would destroy this file.
 TEST(JournaledFile, TakesNoJournalOfAnotherFile) {
     TemporaryDirectory folder;
     const fs::path file = folder.path / "run.h5";

@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Message of a lock that could not be taken; "" if it was.
+/// Message of the error if `output` cannot be locked; "" if it can.
 std::string refusal(const fs::path& output) {
     try {
         OutputLock lock(output);
@@ -66,7 +66,7 @@ TEST(OutputLock, IsOnlyOnceInTheWayOfAMovedOne) {
     EXPECT_TRUE(fs::is_empty(directory.path));
 }
 
-// Lock files left by a killed program must not block.
+// Lock files that a killed program has left must not block other programs.
 TEST(OutputLock, AFileThatNobodyHasLockedBlocksNobody) {
     const TemporaryDirectory directory;
     directory.write("run.h5.lock",
@@ -95,7 +95,7 @@ TEST(OutputLock, DoesNotTakeSomebodysFileForALock) {
     EXPECT_EQ(directory.contents(), before);
 }
 
-// The content of another program's lock is printed on a terminal: control characters must be removed.
+// The content of another program's lock file is printed on a terminal: control characters must be removed.
 TEST(OutputLock, ShowsNothingThatATerminalWouldObey) {
     const TemporaryDirectory directory;
     const fs::path file = directory.write("run.h5.lock", "written by \x1b[2J\a (process 7)\nmore\n");
@@ -106,7 +106,7 @@ TEST(OutputLock, ShowsNothingThatATerminalWouldObey) {
     close(descriptor);
 }
 
-// Between taking the lock and writing its name, a program must count as a writer.
+// A program must count as the writer also before it has written its name into the lock file.
 TEST(OutputLock, OfOneThatDoesNotSayWhoItIsIsALockAllTheSame) {
     const TemporaryDirectory directory;
     const int descriptor = open(directory.write("run.h5.lock", "").c_str(), O_RDONLY);
@@ -144,7 +144,7 @@ TEST(OutputLock, IsNotToBeHadWhereNothingCanBeWritten) {
     EXPECT_TRUE(contains(refusal("/no such folder/run.h5"), "name a file in a folder that exists"));
 }
 
-// Sherd must work on a file system without locks, but not let two programs write.
+// Sherd must work on a file system without locks, but not let two programs write one output.
 TEST(OutputLock, WithoutLocksOfTheFileSystemTheFileIsTheLock) {
     const TemporaryDirectory directory;
     directory.write("scene.toml", falling_disc);
@@ -215,14 +215,14 @@ TEST(OutputLock, OfVariantsIsLookedAtBeforeOneIsRun) {
     directory.write("scene.toml", falling_disc + "[[variant]]\nname = \"a\"\n[[variant]]\nname = \"b\"\n");
     const std::vector<std::string> all{"run", "scene.toml", "--force"};
     {
-        const OutputLock lock(directory.path / "scene-b.h5");  // as of a run of this variant alone
+        const OutputLock lock(directory.path / "scene-b.h5");  // as in a run of this variant alone
         const auto before = directory.contents();
         const ProgramResult result = run_sherd(all, directory.path);
         EXPECT_EQ(result.exit_code, 2);
         EXPECT_TRUE(contains(result.err, "scene-b.h5' is being written by '")) << result.err;
         EXPECT_EQ(directory.contents(), before);
     }
-    const OutputLock lock(directory.path / "scene.h5");  // as of a run of all variants, between two of them
+    const OutputLock lock(directory.path / "scene.h5");  // as in a run of all variants, between two variants
     const ProgramResult result = run_sherd(all, directory.path);
     EXPECT_EQ(result.exit_code, 2);
     EXPECT_TRUE(contains(result.err, "scene.h5' is being written by '")) << result.err;
@@ -265,7 +265,8 @@ TEST(OutputLock, IsTakenByEveryCommandThatWrites) {
         EXPECT_FALSE(name.ends_with(".lock") || name.ends_with(".part")) << name;
 }
 
-// An open recording must remain readable for its reader; a reader by name must not get a mixture of two runs.
+// A run must be able to replace a recording that is open elsewhere, whose reader must get an error instead of
+// a mixture of two runs.
 TEST(OutputLock, ARunIsForcedOverARecordingThatIsBeingRead) {
     const TemporaryDirectory directory;
     directory.write("scene.toml", falling_disc);

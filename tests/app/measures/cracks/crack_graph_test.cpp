@@ -21,7 +21,8 @@ Index at(Index x, Index y) {
     return grid_vertex(squares, x, y);
 }
 
-/// Vertices of a path in steps from `from` on.
+/// Vertices of a path that begins in column and row `from` of the grid and continues by `steps` in columns
+/// and rows.
 std::vector<Index> path(std::array<Index, 2> from, const std::vector<std::array<Index, 2>>& steps) {
     std::vector<Index> vertices{at(from[0], from[1])};
     for (const auto& [x, y] : steps) {
@@ -39,11 +40,11 @@ CrackDirections directions_of(const Snapshot& frame, const std::vector<Vector3d>
     return crack_directions(crack_graph(frame), frame.rest, axes);
 }
 
-// If a branch did not end at the rim or at a junction, unrelated cracks would be one.
+// If a branch did not end at the rim or at a junction, unrelated cracks would count as one.
 TEST(CrackGraph, HasABranchFromNodeToNode) {
     Snapshot frame = grid_sheet(squares, squares);
     crack(frame, path({0, 5}, steps(10, 1, 0)));  // from rim to rim
-    crack(frame, path({4, 5}, steps(3, 0, 1)));   // from its centre
+    crack(frame, path({4, 5}, steps(3, 0, 1)));   // from the crack upwards
     const CrackGraph cracks = crack_graph(frame);
     std::vector<std::size_t> lengths;
     for (const CrackBranch& branch : cracks.branches) lengths.push_back(branch.edges.size());
@@ -54,7 +55,7 @@ TEST(CrackGraph, HasABranchFromNodeToNode) {
     EXPECT_DOUBLE_EQ(*tortuosity(cracks, frame.rest), 1);
 }
 
-// Two cracks that end at one place of the rim from two sides remain two.
+// Two cracks that end at one vertex of the rim, from two directions, must remain two.
 TEST(CrackGraph, PartsCracksAtTheRim) {
     Snapshot frame = grid_sheet(squares, squares);
     crack(frame, path({0, 5}, steps(3, 1, 0)));
@@ -76,7 +77,7 @@ TEST(CrackGraph, HasClosedLinesOnce) {
     EXPECT_FALSE(tortuosity(cracks, frame.rest));  // a closed line has no chord
 }
 
-// No length may be lost or counted twice, whatever fails, and a branch has no node inside.
+// No length may be lost or counted twice, whichever edges fail, and a branch must have no node inside.
 RC_GTEST_PROP(CrackGraph, BranchesHaveEveryCrackOnce, (const std::vector<std::uint8_t>& failing)) {
     Snapshot frame = grid_sheet(6, squares);
     std::size_t number = 0;
@@ -108,7 +109,7 @@ TEST(Tortuosity, IsLengthOverChordOfWhatIsNotDust) {
     std::vector<std::array<Index, 2>> stairs;
     for (int i = 0; i < 3; ++i) stairs.push_back({1, 0}), stairs.push_back({0, 1});
     crack(frame, path({2, 2}, stairs));
-    crack(frame, path({1, 8}, {{1, 0}, {0, 1}}));  // two edges have no shape
+    crack(frame, path({1, 8}, {{1, 0}, {0, 1}}));  // cracks of two edges do not count
     EXPECT_NEAR(*tortuosity(crack_graph(frame), frame.rest), std::sqrt(2), 1e-12);
     crack(frame, path({5, 1}, steps(5, 1, 0)));
     EXPECT_NEAR(*tortuosity(crack_graph(frame), frame.rest), 11 / (3 * std::sqrt(2) + 5), 1e-12);
@@ -132,8 +133,8 @@ TEST(CrackDirections, AreAgainstTheAxisOfTheFace) {
     EXPECT_NEAR(directions_of(frame).histogram[6], 0.5, 1e-12);
 }
 
-// Edges have the directions of the mesh: a crack at 45 degrees along edges at 0 and 90 must have neither of
-// these.
+// Edges have the directions of the mesh: a crack at 45 degrees along edges at 0 and 90 degrees must have
+// neither of these directions.
 TEST(CrackDirections, AreSmoothedOverAFewEdges) {
     Snapshot frame = grid_sheet(squares, squares);
     std::vector<std::array<Index, 2>> stairs;
@@ -156,7 +157,7 @@ TEST(CrackBranching, HasTheAnglesBetweenNeighbours) {
     ASSERT_EQ(fork[0].angles.size(), 3u);
     EXPECT_NEAR(fork[0].smallest_angle(), 45, 1e-10);
     EXPECT_NEAR(*std::ranges::max_element(fork[0].angles), 180, 1e-10);
-    crack(frame, path({3, 5}, steps(2, 0, 1)));  // too short for a direction, and so is the rest
+    crack(frame, path({3, 5}, steps(2, 0, 1)));  // too short for a direction, like the rest it leaves
     const std::vector<CrackJunction> both = crack_junctions(crack_graph(frame), frame.rest);
     ASSERT_EQ(both.size(), 2u);
     EXPECT_TRUE(both[0].angles.empty() && both[1].angles.empty());

@@ -49,13 +49,13 @@ TEST(CracksAbout, AreRadialOrRings) {
     EXPECT_EQ(both.ring(), 2);
 }
 
-// A ring that zigzags over a circle would count as a radial crack for each tooth.
+// A ring that zigzags over a circle must not count as a radial crack for each tooth.
 TEST(CracksAbout, CountAZigzagOnce) {
     Snapshot frame = polar_sheet(rings, sectors);
     for (Index s = 0; s < sectors; s += 2) frame.rest.position.col(polar_vertex(sectors, 5, s)) *= 1.08;
     crack_ring(frame, 5);
     std::vector<Index> arm{0};
-    for (Index ring = 1; ring <= rings; ++ring)  // a step aside on each ring
+    for (Index ring = 1; ring <= rings; ++ring)  // the crack steps aside on each ring
         for (const Index s : {ring % 2, 1 - ring % 2}) arm.push_back(polar_vertex(sectors, ring, s));
     crack(frame, arm);
     const CracksAbout about = about_middle(frame, {5.2, 2.5});
@@ -66,7 +66,7 @@ TEST(CracksAbout, CountAZigzagOnce) {
     EXPECT_EQ(about.ring(), 1);
 }
 
-// Half a ring is on half of the rays, and cracks within the smallest circle are on none.
+// Half a ring must count on half of the rays, and cracks within the smallest circle on none.
 TEST(CracksAbout, CountRingsWhereTheyAre) {
     Snapshot frame = polar_sheet(rings, sectors);
     crack_ring(frame, 4, 0, 16);
@@ -76,7 +76,8 @@ TEST(CracksAbout, CountRingsWhereTheyAre) {
     for (const auto& [angle, cracks] : about_middle(frame, {4.5}).rays) EXPECT_EQ(cracks, 0u) << angle;
 }
 
-// About a corner three quarters of the rays leave the plate, and must not count for rings.
+// About a corner three quarters of the rays leave the plate, and must not be among the rays that rings have
+// to cross.
 TEST(CracksAbout, HaveRaysWhereThereIsASheet) {
     Snapshot frame = grid_sheet(8, 8);
     std::vector<Index> square;
@@ -88,7 +89,7 @@ TEST(CracksAbout, HaveRaysWhereThereIsASheet) {
     EXPECT_EQ(corner.ring(), 1);
 }
 
-// A crack in another sheet must not count about this point.
+// A crack in another sheet must not count about a point of this sheet.
 TEST(CracksAbout, AreThoseOfTheSheetOfThePoint) {
     Snapshot frame = polar_sheet(rings, sectors);
     crack_arm(frame, 5);
@@ -100,19 +101,20 @@ TEST(CracksAbout, AreThoseOfTheSheetOfThePoint) {
 
 TEST(DisjointPaths, ShareNoEdgeButVertices) {
     using enum PathRole;
-    // 0 and 1 begin, 5 and 6 end; all paths pass the vertex 2, and then one edge or two.
+    // Paths begin at the vertices 0 and 1, and end at 5 and 6. With the first four edges all of them pass the
+    // edge from 2 to 3.
     std::vector<std::array<Index, 2>> edges{{0, 2}, {2, 1}, {2, 3}, {3, 5}};
     const std::vector<PathRole> roles{begin, begin, between, between, between, end, end, none};
     EXPECT_EQ(disjoint_paths(edges, roles), 1u);
     edges.push_back({4, 2}), edges.push_back({4, 6});
     EXPECT_EQ(disjoint_paths(edges, roles), 2u);
     edges.push_back({0, 7}), edges.push_back({7, 6});
-    EXPECT_EQ(disjoint_paths(edges, roles), 2u);  // no path begins or ends there
+    EXPECT_EQ(disjoint_paths(edges, roles), 2u);  // no path may visit vertex 7
     edges.push_back({1, 5});
     EXPECT_EQ(disjoint_paths(edges, roles), 3u);  // a direct path
 }
 
-// The shortest path takes the middle edge, without which two longer ones fit.
+// The shortest path takes the middle edge, from 1 to 2; two longer paths exist without it.
 TEST(DisjointPaths, MakeWayForEachOther) {
     const std::vector<std::array<Index, 2>> edges{{0, 1}, {1, 2}, {2, 7}, {0, 3}, {3, 4},
                                                   {4, 2}, {1, 5}, {5, 6}, {6, 7}};
@@ -121,8 +123,8 @@ TEST(DisjointPaths, MakeWayForEachOther) {
     EXPECT_EQ(disjoint_paths(edges, roles), 2u);
 }
 
-// Menger: the number of paths is the least number of edges that separate beginning and end. All subsets of a
-// few edges are tried.
+// Menger's theorem: the number of paths without a common edge is the least number of edges that separate
+// beginning and end. The test tries all subsets of a few edges.
 RC_GTEST_PROP(DisjointPaths, AreAsManyAsTheLeastEdgesThatPartTheEnds, ()) {
     const auto vertex = rc::gen::inRange<Index>(0, 6);
     const auto edges =

@@ -12,14 +12,14 @@ namespace {
 
 constexpr Index tip_squares = 10;
 
-/// Propagates a crack along y = 5 from vertex `from` to vertex `to` in a step.
+/// Propagates a crack along y = 5, in one step, from the vertex at x = `from` to the vertex at x = `to`.
 void fail(CrackEvents& events, std::int64_t step, Index from, Index to) {
     for (Index x = from; x < to; ++x)
         events.failures.push_back(
             {.step = step, .vertices = {grid_vertex(tip_squares, x, 5), grid_vertex(tip_squares, x + 1, 5)}});
 }
 
-/// Steps 1, 2 and 3 of 0.1, 0.2 and 0.1 s.
+/// Steps 1, 2 and 3, which are 0.1 s, 0.2 s and 0.1 s long.
 std::vector<StepReport> three_steps() {
     std::vector<StepReport> steps(3);
     for (int i = 0; i < 3; ++i) steps[i].step = i + 1;
@@ -34,7 +34,7 @@ TipSpeeds speeds_of(const CrackEvents& events) {
     return tip_speeds(events, three_steps(), frame, crack_graph(frame).on_rim);
 }
 
-// A crack that starts inside has two tips, one that comes from another or from the rim has one.
+// A crack that starts inside has two tips; a crack that comes from another crack or from the rim has one.
 TEST(TipSpeeds, AreLengthOverTimeAtEachNewEnd) {
     CrackEvents events;
     fail(events, 1, 3, 5);   // two edges, two tips: 10 m/s each
@@ -56,8 +56,8 @@ TEST(TipSpeeds, AreLengthOverTimeAtEachNewEnd) {
     EXPECT_NEAR(speeds.mean(), 8 / (2 * 0.1 + 0.2 + 2 * 0.1), 1e-12);
 }
 
-// Recorded speeds of tips by toughness are better than the length of edges in a step; arrested tips do not
-// count.
+// Speeds that are recorded for tips are more exact than the length of failed edges in a step. Arrested tips
+// do not count.
 TEST(TipSpeeds, AreThoseOfRecordsWhereThereAreAny) {
     CrackEvents events;
     fail(events, 1, 3, 5);
@@ -90,7 +90,7 @@ TEST(EnergyExtent, IsLastAndLargestInMagnitudeOfEachColumn) {
     EXPECT_EQ(find(all, "kinetic").time, 0.3);
     EXPECT_EQ(find(all, "gravity").largest, -7);
     EXPECT_EQ(find(all, "lost_to_cracks").last, 0.5);
-    EXPECT_EQ(find(all, "step_size").name, "");  // no energy
+    EXPECT_EQ(find(all, "step_size").name, "");  // a length of time, not an energy
     EXPECT_EQ(find(energy_extents(steps, false), "lost_to_cracks").name, "");
     EXPECT_EQ(energy_extents(steps, false).size(), 6u);
     EXPECT_TRUE(energy_extents({}, true).empty());

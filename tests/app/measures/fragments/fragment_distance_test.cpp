@@ -15,7 +15,7 @@
 namespace sherd::test {
 namespace {
 
-/// Square of 10 m in two fragments, cut along x = `cut`; edges of 10 / `columns`.
+/// Square with sides of 10 m in two fragments, cut along x = `cut`, m; edges have a length of 10 m / columns.
 Snapshot cut_square(Index columns, double cut) {
     Snapshot frame = grid_sheet(columns, columns, 10.0 / columns);
     for (std::size_t f = 0; f < frame.faces.size(); ++f) {
@@ -25,7 +25,7 @@ Snapshot cut_square(Index columns, double cut) {
     return frame;
 }
 
-// A fragment's number gives the order of its creation, not its place.
+// The number of a fragment gives the order of its creation, not its place, and must not count.
 TEST(FragmentDistance, OfEqualFragmentsIsNoneWhateverTheirNumbers) {
     const Snapshot frame = cut_square(10, 5);
     Snapshot renamed = frame;
@@ -45,7 +45,8 @@ TEST(FragmentDistance, OfEqualFragmentsIsNoneWhateverTheirNumbers) {
     }
 }
 
-// For two points, one in the strip of a tenth and one beside it, the partitions disagree: 2 * 0.1 * 0.9.
+// The partitions disagree about two points if one of them is in the strip, a tenth of the square, and the
+// other beside it: with the probability 2 * 0.1 * 0.9.
 TEST(FragmentDistance, OfACutThatIsMovedByARowOfFacesIsTheStrip) {
     const FragmentDistance distance = fragment_distance(cut_square(10, 5), cut_square(10, 6));
     EXPECT_NEAR(distance.partition.rand, 0.82, 1e-12);
@@ -68,7 +69,7 @@ TEST(FragmentDistance, DoesNotCareForTheMesh) {
 
 TEST(PartitionDistance, OfOneWholeIsNoneAndOfChanceHasNoAgreement) {
     EXPECT_EQ(partition_distance({{{3, 5}, 1.0}}).adjusted_rand, 1);
-    // Halves across halves: one partition has no information about the other.
+    // Two halves are divided across another two: one partition has no information about the other.
     const PartitionDistance across =
         partition_distance({{{0, 0}, 0.25}, {{0, 1}, 0.25}, {{1, 0}, 0.25}, {{1, 1}, 0.25}});
     EXPECT_NEAR(across.adjusted_rand, 0, 1e-12);
@@ -77,7 +78,8 @@ TEST(PartitionDistance, OfOneWholeIsNoneAndOfChanceHasNoAgreement) {
     EXPECT_EQ(across.matches.size(), 2u);
 }
 
-// The distance is symmetric, and the index is by its definition a probability.
+// The distance must be symmetric, and the index is by its definition the probability that the partitions
+// agree about two points.
 RC_GTEST_PROP(PartitionDistance, IsTheSameFromEitherSideAndCountsPairs, ()) {
     const auto labels = *rc::gen::resize(
         12, rc::gen::nonEmpty(rc::gen::container<std::vector<std::pair<Index, Index>>>(

@@ -44,7 +44,7 @@ TEST(FragmentExtent, IsThatOfARectangleHoweverItLies) {
     EXPECT_NEAR(extents[1].aspect_ratio(), 2.5, 1e-10);
 }
 
-// A crack has two sides and must not count twice; a closed crack must count, too.
+// An open crack has two sides and must not count twice; a closed crack must count, too.
 TEST(CrackExtent, CountsOpenAndClosedCracksOnceAndNoBoundary) {
     Snapshot frame;
     frame.rest.position.resize(3, 0);
@@ -54,8 +54,8 @@ TEST(CrackExtent, CountsOpenAndClosedCracksOnceAndNoBoundary) {
     EXPECT_EQ(extent_of(frame).length, 0);
     frame.edges = {{4, 6}, {0, 1}};
     frame.edge_state = {EdgeState::fractured_interior, EdgeState::boundary};
-    EXPECT_NEAR(extent_of(frame).length, 0.5, 1e-14);  // diagonal of the second one
-    frame.faces[1] = {8, 9, 3};                        // the first one comes apart along its diagonal
+    EXPECT_NEAR(extent_of(frame).length, 0.5, 1e-14);  // diagonal of the second rectangle
+    frame.faces[1] = {8, 9, 3};                        // the first rectangle comes apart along its diagonal
     const CrackExtent both = extent_of(frame);
     EXPECT_NEAR(both.length, 1.0, 1e-14);
     EXPECT_NEAR(both.area, 0.5 * 0.001 + 0.5 * 0.002, 1e-16);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Otherwise an orthotropic sheet has a stiff direction other than that of the scene.
+// If one of these tests failed, an orthotropic sheet would be stiff in another direction than the scene says.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -87,7 +87,7 @@ TEST(MaterialAxis, PerpendicularFacesTakeTheNextAxisAndSaySo) {
         << warnings[0];
 }
 
-/// Texture of one row of texels at these angles (degrees).
+/// Texture of one row of texels for axes at these angles (degrees), in the encoding `vector`.
 Image row_of(const std::vector<double>& angles) {
     Image image;
     image.width = static_cast<int>(angles.size());
@@ -122,7 +122,7 @@ TEST(AxisTexture, VGrowsUpwards) {
     image.width = 1;
     image.height = 2;
     image.colours.resize(3, 2);
-    image.colours << 1, 0, 0.5, 0.5, 0, 0;  // 0 degrees above 90 degrees
+    image.colours << 1, 0, 0.5, 0.5, 0, 0;  // upper texel: 0 degrees, lower: 90 degrees
     EXPECT_NEAR(angle_of(doubled_direction(image, AxisEncoding::vector, Vector2d(0.1, 0.75))), 0, 1e-6);
     EXPECT_NEAR(std::abs(angle_of(doubled_direction(image, AxisEncoding::vector, Vector2d(0.1, 0.25)))), 90,
                 1e-6);
@@ -144,7 +144,8 @@ TEST(AxisTexture, HueIsTwiceTheAngleWhateverBrightnessAndGreyIsNoDirection) {
     EXPECT_EQ(doubled_direction(image, AxisEncoding::hue, Vector2d(0.5, 0.5)).norm(), 0);
 }
 
-// Two triangles in the xy plane whose texture is turned by 90 degrees and stretched, then mirrored.
+// Two triangles in the xy plane, whose texture is first turned by 90 degrees and stretched, then mirrored
+// instead.
 TEST(MaterialAxis, TextureAnglesCountFromTheDirectionOfUTowardsThatOfV) {
     const TemporaryDirectory directory;
     std::vector<std::string> warnings;
@@ -199,7 +200,7 @@ TEST(ReadPng, KeepsSixteenBitsAndRefusesWhatIsNoPng) {
         return "no error";
     };
     EXPECT_NE(message(file).find("a.png: damaged PNG file: "), std::string::npos) << message(file);
-    // libpng would allocate 256 million pixels.
+    // The header claims 256 million pixels, which libpng would allocate
     std::string promising = directory.contents().at(file.string());
     promising.replace(16, 8, "\0\0\x3e\x80\0\0\x3e\x80", 8);
     EXPECT_NE(message(directory.write("d.png", promising)).find("ends before all its pixels"),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A table of keys, here of a made-up struct, is read, refused and documented by its declaration alone. If
-// this failed, a key would be read into the wrong member, or a wrong value would be accepted.
+// The declaration of a table of keys, here of a made-up struct, is all by which it is read, refused and
+// documented. If this failed, a key would be read into the wrong member, or a wrong value would be accepted.
 #include "app/scene/keys/key.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scenes by name: otherwise a newcomer does not find the shipped scenes, or runs a wrong one.
+// Shipped scenes by name: if a test failed, a newcomer would not find them, or would run a wrong one.
 #include "app/scene/read/shipped_scenes.h"
 
 #include <gtest/gtest.h>
@@ -78,7 +78,8 @@ TEST(ShippedScenes, AreFoundByNameWhereNoFileIsMeant) {
         const std::string file = (scenes / name).replace_extension(".toml").string();
         EXPECT_NE(result.out.find(file), std::string::npos) << result.out;
     }
-    // All variants, whose processes get the file; the recording is named after the scene.
+    // A run of all variants must give its processes the file that was found, and name recordings after the
+    // scene.
     const ProgramResult run = run_sherd({"run", "paper/section_8_flag", "--set", "duration=0.002", "--set",
                                          "sheet.flag.mesh.edge_length=0.2"},
                                         directory.path);
@@ -88,7 +89,7 @@ TEST(ShippedScenes, AreFoundByNameWhereNoFileIsMeant) {
 
 TEST(ShippedScenes, GiveWayToAnyFileOfTheUsersOwn) {
     const TemporaryDirectory directory;
-    // A scene, were it not empty.
+    // An empty file of this name must be read, and refused, instead of the shipped scene.
     directory.write("plate_drop.toml", "");
     ProgramResult result = run_sherd({"check", "plate_drop"}, directory.path);
     EXPECT_EQ(result.exit_code, 2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A row with a result is not run again, whatever killed the program that recorded it.
+// A row that has a result must not be run again, whatever ended the program that recorded it.
 #include "app/sweep/run/result_journal.h"
 
 #include <gtest/gtest.h>

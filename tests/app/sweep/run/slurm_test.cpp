@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Requests to Slurm: a task without enough time or memory is killed, one with too much waits forever.
+// Requests to Slurm: it kills a task that requests too little time or memory, and a task that requests too
+// much waits forever.
 #include "app/sweep/run/slurm.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points of a study: a wrong one is a run that was not requested.
+// Points of a study: a wrong point is a run that was not requested.
 #include "app/sweep/study/design.h"
 
 #include <gtest/gtest.h>

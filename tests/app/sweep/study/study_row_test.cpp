@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rows of a study, and their identities: a hash of too little would take the result of another scene for a
-// row's, a hash of too much would run everything again.
+// Rows of a study, and their identities: a hash of too little would give a row the result of another scene,
+// and a hash of too much would run everything again.
 #include "app/sweep/study/study_row.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Study files: a wrong one must be refused with its line before anything runs.
+// Study files: a wrong file must be refused with the line of the mistake before anything runs.
 #include "app/sweep/study/study.h"
 
 #include <gtest/gtest.h>

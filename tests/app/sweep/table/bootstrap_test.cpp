@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Error bars that are too short make a false result.
+// Error bars that are too short would make chance look like a result.
 #include "app/sweep/table/bootstrap.h"
 
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-// For many values of a normal distribution the interval must be that of theory, 1.96 standard errors either
-// way.
+// For many values of a normal distribution the interval must be that of theory: 1.96 standard errors to both
+// sides of the mean.
 TEST(Bootstrap, IntervalIsThatOfTheNormalDistribution) {
     constexpr int count = 400;
     const Distribution normal{Distribution::Kind::normal, 5, 2};

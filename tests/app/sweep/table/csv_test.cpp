@@ -18,7 +18,8 @@ RC_GTEST_PROP(Csv, WhatIsWrittenIsReadBack, ()) {
     RC_ASSERT(parse_csv(csv_text(rows), "a.csv") == rows);
 }
 
-// A name that begins like a file's encoding mark would lose that, or be refused, when it is read back.
+// A cell that begins like the encoding mark of a file would lose this beginning, or be refused, when it is
+// read back.
 TEST(Csv, MarksOfEncodingsAreKeptInCells) {
     for (const std::string mark : {"\xEF\xBB\xBF", "\xFF\xFE", "\xFE\xFF"}) {
         const CsvRows rows{{mark + "row", mark}, {mark, "2"}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Table, summary and curves of a study's results.
+// Table, summary and chart of a study's results: users take their conclusions from these.
 #include "app/sweep/table/study_table.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Two points of two rows each; the last row has failed, and the one before has not been run.
+/// Two points of two rows each. The last row has failed, and the row before it has not been run.
 struct FourRows {
     FourRows() {
         study.parameters = {{"sheet.plate.speed", {}, {}, {}}};

@@ -13,7 +13,7 @@
 namespace sherd {
 namespace {
 
-/// Random triangles that are not needles, each with a vertex in front of it, behind, above or beside.
+/// Random triangles, vertices 1 to 3, that are not needles, each with a random vertex 0.
 std::vector<PairPositions> crack_faces() {
     test::Random random(11);
     std::vector<PairPositions> shapes;
@@ -25,8 +25,9 @@ std::vector<PairPositions> crack_faces() {
     return shapes;
 }
 
-// A vertex at a known place before a crack face (lip) in its plane: with a wrong sign crack faces would be
-// pulled together.
+// With a wrong sign of the opening, crack faces would be pulled together. Vertex 0 is at a known distance
+// before a crack face (lip), the edge from vertex 1 to 2; its height above the triangle's plane must not
+// count.
 TEST(CrackFace, OpeningIsTheDistanceInFrontOfTheCrackFaceInItsPlane) {
     PairPositions x;
     x << 0.3, 0, 1, 0.4,  //
@@ -53,8 +54,8 @@ TEST(CrackFace, GradientAndHessianAreDerivativesWithoutForceAndTorque) {
     }
 }
 
-// Overlapping crack faces must push and open ones not stick; the convex Hessian, which the solver uses if
-// need be, must not be indefinite.
+// Overlapping crack faces must push, and open ones must not stick; the convex Hessian, which the solver uses
+// where the exact one is indefinite, must be semidefinite.
 TEST(CrackFace, OverlapPushesAndOpenCrackFacesAreFree) {
     const std::vector<CrackFaceStencil> stencils{{{0, 1, 2, 3}, 5e3}};
     const CrackFaceContact contact(stencils);

@@ -52,8 +52,9 @@ TEST(BoxTree, FindsWhatBruteForceFinds) {
             }
 }
 
-// A division that is reused while boxes move must not lose a pair, and must be replaced when the boxes are
-// elsewhere: otherwise all nodes overlap, and a search takes as long as comparing all boxes.
+// A known division of boxes into the nodes of a tree is used again while the boxes move. It must not lose a
+// pair, and must be replaced when the boxes are elsewhere: otherwise all nodes would overlap, and a search
+// would take as long as comparing all boxes.
 TEST(BoxTree, FindsTheSameInAKnownDivision) {
     Random random(3);
     std::vector<Box> boxes = random_boxes(random, 300, 0.1, 1);

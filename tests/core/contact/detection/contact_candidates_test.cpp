@@ -28,7 +28,7 @@ void expect_all_near(const ContactSurface& surface, const std::vector<ContactPai
     EXPECT_TRUE(std::includes(names.begin(), names.end(), near.begin(), near.end()));
 }
 
-/// Random displacements of up to `amplitude` in every coordinate.
+/// Random displacements, m, of up to `amplitude` in every coordinate.
 Positions noise(Random& random, Index vertices, double amplitude) {
     Positions moved(3, vertices);
     for (double& entry : moved.reshaped()) entry = random.uniform(-amplitude, amplitude);
@@ -82,13 +82,14 @@ void expect_no_pair_missed(const Shell& shell) {
     EXPECT_GT(found, 10000u);
 }
 
-// A missed pair is an intersection that nothing later finds: whatever the motion, anywhere in the
-// neighbourhood, and whatever was asked of the candidates before.
+// A missed pair is an intersection that nothing later finds. Candidates must include every near pair, for
+// any motion, at all positions in the neighbourhood, and after any earlier queries.
 TEST(ContactCandidates, MissNoPairThatBruteForceFinds) {
     expect_no_pair_missed(test::stacked_plates(3, 3, 2.1e-3, test::ceramic));
 }
 
-// Where a thin vertex of a thick triangle is nearest, the triangle's thickness counts.
+// A pair with a vertex and a triangle of uneven sheets acts at a distance by their mean thicknesses, even if
+// the triangle's nearest vertex is thin: such a pair must not be missed.
 TEST(ContactCandidates, MissNoPairOfUnevenSheets) {
     Shell shell = test::stacked_plates(3, 3, 2.1e-3, test::ceramic);
     Random random(5);
@@ -97,7 +98,7 @@ TEST(ContactCandidates, MissNoPairOfUnevenSheets) {
     expect_no_pair_missed(shell);
 }
 
-// Pairs with colliders, at rest and moving, whatever trees were kept of them.
+// Pairs with colliders, at rest and moving, must be found with the trees that an earlier search has left.
 TEST(ContactCandidates, MissNoPairWithSolids) {
     const Shell shell = test::stacked_plates(1, 4, 0, test::ceramic);
     const auto box = test::box_surface(Vector3d(0, 0, -0.0109), Vector3d(0.03, 0.02, 0.01));
@@ -163,7 +164,8 @@ TEST(ContactCandidates, FollowCracksAsIfSearchedAgain) {
     }
 }
 
-// A direction that claims more separation than the distance would let elements pass.
+// If the separation along a direction were more than the distance, near pairs would be skipped, and elements
+// would pass through each other.
 TEST(ContactCandidates, SeparationIsNeverMoreThanTheDistance) {
     Random random(5);
     for (const PairKind kind : {PairKind::vertex_triangle, PairKind::edge_edge})

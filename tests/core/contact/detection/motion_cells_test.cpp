@@ -18,7 +18,7 @@ Positions points(Random& random, Index count, double size) {
     return x;
 }
 
-/// Bound on the relative motion of any two of these vertices.
+/// Bound on the relative motion, m, of any two of the vertices `vertices`.
 double bound(const MotionCells& cells, const std::vector<Box>& boxes, const std::vector<Index>& vertices) {
     Box all;
     for (const Index v : vertices) all.include(boxes[cells.of(v)]);
@@ -46,7 +46,8 @@ TEST(MotionCells, BoundWhatAnyTwoVerticesMove) {
     }
 }
 
-// No pair need be tested in a sheet that moves as a whole, nor far away from a place that moves by itself.
+// With larger bounds than necessary, a search would test pairs in a sheet that moves as a whole, or far away
+// from a part that moves by itself.
 TEST(MotionCells, TellApartWhatIsFarFromEachOther) {
     Random random(5);
     const Index count = 10'000;

@@ -37,8 +37,9 @@ void expect_same(const NearPairs& walker, const Positions& x, const Positions& m
     RC_ASSERT(upcoming_blocks(walker, x) == upcoming_blocks(anew, x));
 }
 
-/// Random displacements: all fly together; parts of the vertices from `first` on drift and turn, each with
-/// velocities of its own, by about 10^size m, and each vertex adds noise.
+/// Random displacements, m: if `first` is 0, a common translation; for each of up to five parts of the
+/// vertices from `first` on, a translation and a turn of about 10^`size` m; and noise. Vertices before
+/// `first` stay.
 Positions stride(Random& random, const Positions& x, Index first, double size) {
     const double scale = std::pow(10, size + random.uniform(-1, 0.5));
     const Index parts = 1 + random.below(5), count = static_cast<Index>(x.cols());
@@ -57,7 +58,8 @@ Positions stride(Random& random, const Positions& x, Index first, double size) {
     return motion;
 }
 
-/// Walks about from x in strides that nothing stops, and tries other motions on the way.
+/// Moves about from x by random displacements, which no contact stops, and compares the answers at each
+/// place.
 void walk(const ContactSurface& surface, Positions x, unsigned seed) {
     Random random(seed);
     const NearPairs walker(surface, Threads(2));
@@ -69,9 +71,9 @@ void walk(const ContactSurface& surface, Positions x, unsigned seed) {
     }
 }
 
-// Pairs that have not moved by their distance are not computed again. A bound that is too small misses a pair
-// or a passage, which nothing finds later. In a sheet with edges shorter than its thickness (2 mm), most
-// pairs are within its thickness at rest.
+// Pairs that have not moved by their distance are not measured again. With too small a bound on their
+// motion, a pair or a passage would be missed, which nothing finds later. In a sheet with edges shorter than
+// its thickness (2 mm), most pairs are within its thickness at rest.
 RC_GTEST_PROP(NearPairs, AnswerAsIfNeverAskedBefore, ()) {
     const int count = *rc::gen::element(3, 8);
     const Material& material = count == 8 ? test::thick_foam : test::ceramic;
@@ -90,14 +92,14 @@ RC_GTEST_PROP(NearPairs, AnswerAsIfNeverAskedBeforeOnSolids, ()) {
     walk(surface, x, *rc::gen::inRange(0u, 1u << 30));
 }
 
-// A diverging minimiser proposes motions of kilometres. A search for all pairs within their reach took 24 GB
-// in a flag of 6,400 vertices; and obstructions must stop even the longest motions.
+// A diverging minimiser proposes motions of kilometres. A search for all pairs within reach of these motions
+// took 24 GB in a flag of 6,400 vertices; and obstructions must stop even the longest motions.
 TEST(NearPairs, LongMotionsEndWhereTheyMeetSomething) {
     const double apart = 0.1;
     const Shell shell = test::stacked_plates(2, 8, apart, test::ceramic);
     const NearPairs near{ContactSurface(shell)};
     const auto count = static_cast<Eigen::Index>(shell.position.cols());
-    const auto freedom = [&](double up) {  // m, of the upper plate
+    const auto freedom = [&](double up) {  // m, displacement until the plates meet
         Positions motion = Positions::Zero(3, count);
         motion.rightCols(count / 2).row(2).setConstant(up);
         return near.safe_fraction(shell.position, motion) * std::abs(up);
@@ -110,9 +112,9 @@ TEST(NearPairs, LongMotionsEndWhereTheyMeetSomething) {
     EXPECT_GT(freedom(1e9), 1) << "128 widths of 11 mm, each plate its half";
 }
 
-// An obstacle far larger than the sheet, with 36,672 edges, once took all memory where it moved by five
-// sheets in a step: all pairs within reach of the whole path were kept. Pairs on the path must still be
-// found.
+// An obstacle with 36,672 edges, far larger than the sheet, once took all memory when it moved by five
+// widths of the sheet in a step: all pairs within reach of the whole path were kept. Pairs on the path must
+// still be found.
 TEST(NearPairs, OnALongWayWhatIsPassedIsNearby) {
     const double apart = 0.1;
     const Shell shell = test::stacked_plates(2, 8, apart, test::ceramic);
@@ -146,8 +148,8 @@ TEST(NearPairs, OnALongWayWhatIsPassedIsNearby) {
     }
 }
 
-// A step in which two plates change places is a passage, though they are apart at both ends; one in which
-// they slide over each other, or come nearer than their thickness for a moment, is not.
+// A step in which two plates change places is a passage, although they are apart before and after it; a step
+// in which they slide along each other, or come nearer than their thickness, is no passage.
 TEST(NearPairs, WhatChangesPlacesPasses) {
     const double apart = 0.01;
     const Shell shell = test::stacked_plates(2, 8, apart, test::ceramic);

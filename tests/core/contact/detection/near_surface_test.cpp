@@ -9,8 +9,8 @@
 namespace sherd {
 namespace {
 
-// A missed vertex would collide with a surface that it starts across; one too many would never collide with
-// it.
+// A missed vertex would collide with a surface across which it starts; a vertex found by mistake would never
+// collide with the surface.
 TEST(NearSurface, FindsWhatLookingAtAllTrianglesFinds) {
     test::Random random(7);
     const Positions points = Positions::Random(3, 40), x = Positions::Random(3, 200);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Edges of bodies in explicit steps must meet edges, with forces that keep momentum and energy, also when
-// implicit steps follow; an overlap that the springs do not stop must be an error.
+// In explicit steps edges of bodies must collide with edges of bodies and obstacles, with forces that keep
+// momentum and energy, also when implicit steps follow; an overlap that the springs do not stop must be an
+// error.
 #include <gtest/gtest.h>
 
 #include "core/time/stepper.h"
@@ -23,7 +24,8 @@ struct World {
     }
     void begin() { stepper = make_stepper(shell, options); }
     void advance(double duration) { ASSERT_TRUE(advanced(duration)); }
-    /// Advances as far as possible. Returns the result of the last part of a step.
+    /// Advances by `duration` s, or until a step fails. Returns success, or the result of the step that
+    /// failed.
     StepResult advanced(double duration) {
         const double length = stepper->scheme() == Scheme::explicit_differences ? options.step : 5e-4;
         for (int i = 0; i < std::lround(duration / length); ++i) {
@@ -74,8 +76,8 @@ TEST(BodySurfaces, EdgesOfBoxesBounceAndKeepMomentumAndEnergy) {
     }
 }
 
-// Two edges of a box across two edges of obstacles, far from any corner: with contact at corners alone it
-// falls through.
+// Two edges of a box lie across two edges of obstacles, far from any corner: with contact at corners alone
+// the box would fall through.
 TEST(BodySurfaces, EdgesOfObstaclesCarryABox) {
     World world;
     world.options.gravity = Vector3d(0, 0, -9.81);
@@ -91,7 +93,8 @@ TEST(BodySurfaces, EdgesOfObstaclesCarryABox) {
     EXPECT_LT(std::abs(world.stepper->balance().lost_to_scheme), 0.02 * energy);
 }
 
-// The force of a moving obstacle on edges is the reaction on it, and its work is in the balance.
+// With a wrong force of a moving obstacle's edges, the box would fly off at a wrong speed, or the obstacle's
+// work would be missing in the balance.
 TEST(BodySurfaces, AnObstacleThatComesUpThrowsABox) {
     World world;
     Obstacle one = roof(-0.03), other = roof(0.03);
@@ -133,7 +136,8 @@ TEST(BodySurfaces, SchemesGoOnWithWhatRestsOnEdges) {
     EXPECT_GT(balance.lost_to_scheme - lost, -2e-3 * weight * 0.005) << "energy from nowhere";
 }
 
-// Surfaces that intersect at the start must not collide, in any scheme that follows, until they are apart.
+// Surfaces that intersect at the start must not collide, in any scheme that follows, until they are apart;
+// after that they must collide.
 TEST(BodySurfaces, WhatCrossesAtTheStartMeetsOnceItIsApart) {
     World world;
     RigidBody up = solid_body(Vector3d(0.02, 0.1, 0.02), Vector3d(0.003, 0.002, 0.015));
@@ -169,7 +173,8 @@ TEST(BodySurfaces, EdgesThatPassEachOtherEndTheRun) {
     EXPECT_EQ(world.advanced(1e-3).outcome, Outcome::failed);
 }
 
-// A fast box passes a thin wall in a substep, with no corner in the wall at any time.
+// A fast box that passes a thin wall in a substep must end the run, although none of its corners is ever
+// found in the wall.
 TEST(BodySurfaces, ABodyThatPassesInASubstepEndsTheRun) {
     World world;
     RigidBody box = solid_body(Vector3d(0.005, 0.005, 0.005), Vector3d(-0.03, 0.0003, 0));
@@ -180,8 +185,8 @@ TEST(BodySurfaces, ABodyThatPassesInASubstepEndsTheRun) {
     EXPECT_EQ(world.advanced(1e-4).outcome, Outcome::failed);
 }
 
-// A corner that is pressed deeper than edges give way is held by its own spring, which must return all the
-// energy.
+// A corner that is pressed in deeper than the springs of edges allow is held by its own spring, which must
+// return all the energy.
 TEST(BodySurfaces, ACornerThatSinksDeepIsThrownBack) {
     World world;
     world.options.step = 2e-6;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A wrong distance lets sheets into an obstacle; wrong derivatives push them the wrong way, or keep Newton's
-// method from converging.
+// A wrong distance lets sheets into an obstacle; wrong derivatives push sheets the wrong way, or keep
+// Newton's method from converging.
 #include "core/contact/geometry/basic_shapes.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ void expect_normal_and_curvature(const Shape& shape, const Vector3d& at) {
 
 const Vector3d axis = Vector3d(1, 2, -0.5).normalized();
 
-// Inside and outside, without the few points near a crease of the distance.
+// Points are inside and outside, without the few near a crease of the distance, where its gradient jumps.
 TEST(Solids, GradientAndHessianAreThoseOfTheDistance) {
     Random random(3);
     const std::vector<std::shared_ptr<const Shape>> shapes{
@@ -47,7 +47,8 @@ TEST(Solids, GradientAndHessianAreThoseOfTheDistance) {
         }
 }
 
-// Beyond two or three of a box's faces its edges and corners are round.
+// Outside two or three of a box's faces at once, the surfaces of equal distance are round about its edge or
+// corner.
 TEST(Solids, EdgesAndCornersOfABoxAreRoundFromOutside) {
     const BoxShape box(Vector3d(1, 0, 0), Vector3d(0.5, 0.2, 0.3));
     EXPECT_DOUBLE_EQ(box.distance(Vector3d(1.1, 0.25, 0)).distance, 0.05);
@@ -76,7 +77,7 @@ TEST(Solids, ACylinderHasASideTwoEndsAndRoundEdges) {
     EXPECT_NEAR(cylinder.distance(middle).gradient.norm(), 1, 1e-15);
 }
 
-// Points outside the bounds are skipped.
+// Points outside the bounds are skipped: too small bounds would let sheets into the solid.
 TEST(Solids, BoundsHoldTheSolid) {
     Random random(5);
     const CylinderShape cylinder(Vector3d(0, 0, 1), axis, 0.5, 0.3);

@@ -11,7 +11,8 @@ namespace {
 using test::LongPositions;
 using test::Random;
 
-/// Smallest distance at `samples` times from 0 to `until`, in long double and without the code under test.
+/// Smallest distance of a pair at `samples` + 1 times from 0 to `until`, in long double and without the code
+/// under test.
 long double sampled_distance(PairKind kind, const PairPositions& x, const PairPositions& displacement,
                              double until, int samples) {
     const LongPositions start = x.cast<long double>(), way = displacement.cast<long double>();
@@ -23,8 +24,8 @@ long double sampled_distance(PairKind kind, const PairPositions& x, const PairPo
     return smallest;
 }
 
-/// Returns the safe fraction, after checks that it neither crosses nor (if `tight`) stops long before
-/// contact.
+/// Returns the safe fraction of the displacement, after checks that the elements stay apart up to it and, if
+/// `tight`, that it does not end long before contact.
 double checked_fraction(PairKind kind, const PairPositions& x, const PairPositions& displacement,
                         double minimum, bool tight = true, int samples = 300) {
     const double fraction = safe_fraction(kind, x, displacement, minimum);
@@ -45,7 +46,8 @@ double checked_fraction(PairKind kind, const PairPositions& x, const PairPositio
     return fraction;
 }
 
-// All of contact depends on this one property, over degenerate positions of every kind and random motions.
+// All of contact depends on this property, tested with degenerate positions of both kinds of pairs and
+// random motions.
 TEST(ContinuousCollision, NeverReportsAStepThatCrosses) {
     for (const PairKind kind : test::pair_kinds) {
         Random random(11);
@@ -63,7 +65,8 @@ TEST(ContinuousCollision, NeverReportsAStepThatCrosses) {
     }
 }
 
-// A vertex and an edge at 1 km/s in a step of 1e-4 s (10 cm) through a sheet of 1 mm, straight and slanted.
+// A vertex, or an edge, that moves at 1 km/s in a step of 1e-4 s (by 10 cm), straight or slanted, must stop
+// before a sheet of 1 mm.
 TEST(ContinuousCollision, StopsAKilometreASecondBeforeAMillimetre) {
     PairPositions triangle, edges;
     triangle << 0, -0.01, 0.02, -0.01, 0, -0.01, 0, 0.02, 0.05, 0, 0, 0;
@@ -104,16 +107,17 @@ TEST(ContinuousCollision, GrazingMotionPassesWhereThereIsRoom) {
     displacement(0, 0) = 4;
     const double room = graze(PairKind::vertex_triangle, x, displacement);
     EXPECT_EQ(room, 1);
-    displacement(2, 0) = -0.0195;  // sinks to the minimum half-way
+    displacement(2, 0) = -0.0195;  // sinks to the minimum distance half-way
     EXPECT_LT(graze(PairKind::vertex_triangle, x, displacement), 0.6);
     PairPositions edges, along = PairPositions::Zero();
-    edges << -3, -2, -1, 1, 0, 0, 0, 0, 0.02, 0.02, 0, 0;  // in line, sliding over each other
+    edges << -3, -2, -1, 1, 0, 0, 0, 0, 0.02, 0.02, 0, 0;  // in line, so that one edge slides over the other
     along.leftCols<2>().row(0).setConstant(6);
     EXPECT_EQ(graze(PairKind::edge_edge, edges, along), 1);
 }
 
-// A pair that stays twice the clearance apart must move all the way, however far: a pair too far apart to be
-// a candidate does so untested, and the result must not depend on that.
+// A pair that always stays farther apart than the minimum distance plus twice the clearance must be free to
+// move all the way, however far: a pair that is too far apart to be a candidate moves without a test, and
+// the result must not depend on whether a pair is tested.
 TEST(ContinuousCollision, ALongWayWithRoomIsNotCutShort) {
     PairPositions x, displacement = PairPositions::Zero();
     x << -40, -100, 100, 0, 0, -100, -100, 100, 0.0121, 0, 0, 0;
@@ -121,7 +125,8 @@ TEST(ContinuousCollision, ALongWayWithRoomIsNotCutShort) {
     EXPECT_EQ(safe_fraction(PairKind::vertex_triangle, x, displacement, 0.01, 1e-3), 1);
 }
 
-// Parallel edges that fall onto each other, turn into each other, or are mirror images of each other.
+// Parallel edges that fall onto each other, straight or tilted, or that turn in opposite senses must not
+// pass.
 TEST(ContinuousCollision, ParallelEdgesMeet) {
     PairPositions x, displacement = PairPositions::Zero();
     x << 0, 1, 0.2, 1.2, 0, 0, 0, 0, 1, 1, 0, 0;
@@ -134,7 +139,8 @@ TEST(ContinuousCollision, ParallelEdgesMeet) {
     EXPECT_LT(checked_fraction(PairKind::edge_edge, x, displacement, 0), 1);
 }
 
-// Elements that touch already may not move, whatever the direction; nor may not-a-number give a free motion.
+// Elements that touch already must not move, in whatever direction; positions and motions that are not
+// finite must not be free, either.
 TEST(ContinuousCollision, NothingMovesThatTouches) {
     PairPositions x, displacement = PairPositions::Zero();
     x << 0, -1, 2, -1, 0, -1, 0, 2, 0, 0, 0, 0;

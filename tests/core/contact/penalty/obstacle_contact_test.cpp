@@ -31,7 +31,8 @@ void simulate(Shell& shell, StepperOptions options, double step, double seconds)
     advance(time_step, step, seconds);
 }
 
-/// Plane whose distances grow too slowly, as interpolated ones do at the edges of the sampled range.
+/// Plane whose distance grows by 0.8 m for each metre: too slowly, as interpolated distances do at the edges
+/// of the sampled range.
 struct SampledShape : Shape {
     SurfaceDistance distance(const Vector3d& point) const override {
         const Vector3d gradient = 0.8 * Vector3d(0.1, 0.2, 1).normalized();
@@ -43,7 +44,8 @@ struct SampledShape : Shape {
     }
 };
 
-// Sticking, sliding, touching and free: forces and their derivatives, with friction and motion.
+// Wrong derivatives would push sheets wrongly or keep the solver from converging: on obstacles of all
+// shapes, at rest and moving, with friction that sticks and slides.
 TEST(ObstacleContact, ForceAndStiffnessAreDerivativesOfTheValue) {
     Random random(1);
     Motion turning;
@@ -65,7 +67,7 @@ TEST(ObstacleContact, ForceAndStiffnessAreDerivativesOfTheValue) {
             contact.add_touch(shell.position, touch);
             EXPECT_EQ(touch.vertices.size(), 1u);
             for (int i = 0; i < 50; ++i) {
-                const double way = i % 2 ? 3e-5 : 2e-6;  // beyond and below the smoothing
+                const double way = i % 2 ? 3e-5 : 2e-6;  // beyond and within friction's smoothing
                 const Vector3d moved = Vector3d(shell.position.col(0)) + random.matrix<Vector3d>(way);
                 expect_derivatives(contact, Positions(moved), 1e-9, 1e-4);
             }
@@ -73,7 +75,7 @@ TEST(ObstacleContact, ForceAndStiffnessAreDerivativesOfTheValue) {
     }
 }
 
-// The spring of a resting vertex is that of the two materials in series over the footprint.
+// A resting vertex sinks in by its weight over the stiffness of both materials in series over its footprint.
 TEST(ObstacleContact, RestingWeightSinksInAsTheTwoMaterialsSay) {
     Shell shell = lone_vertex(Vector3d(0, 0, 0.005));
     StepperOptions options;
@@ -84,7 +86,8 @@ TEST(ObstacleContact, RestingWeightSinksInAsTheTwoMaterialsSay) {
     EXPECT_NEAR(0.005 - shell.position(2, 0), 0.1 * 9.81 / stiffness, 1e-9);
 }
 
-// Free fall, contact as half a vibration of the spring, and up again; with long steps it would stay down.
+// A vertex falls, is in contact for about half a vibration of the spring, and rises as high again; with long
+// steps it would stay down.
 TEST(ObstacleContact, BouncesAsTheSpringSays) {
     const double height = 0.01, gravity = 9.81, mass = 0.1, stiffness = 5e4, length = 2e-6;
     Shell shell = lone_vertex(Vector3d(0, 0, 0.005 + height));
@@ -117,7 +120,7 @@ TEST(ObstacleContact, BouncesAsTheSpringSays) {
     EXPECT_NEAR(shell.position(2, 0), 0.005 + height, 0.01 * height) << "as high as it was";
 }
 
-// Coulomb: a = mu g, until it stops after v^2 / (2 mu g).
+// Coulomb friction slows a vertex down by mu g, so that it stops after v^2 / (2 mu g).
 TEST(ObstacleContact, FrictionStopsASlidingVertexAfterTheCoulombDistance) {
     Shell shell = lone_vertex(Vector3d(0, 0, 0.005 - 0.1 * 9.81 / 5e4));
     shell.velocity(0, 0) = 1;
@@ -130,7 +133,7 @@ TEST(ObstacleContact, FrictionStopsASlidingVertexAfterTheCoulombDistance) {
     EXPECT_LT(shell.velocity.col(0).norm(), 1e-3);
 }
 
-// On a slope of 30 degrees it slides at g (sin a - mu cos a), whatever shape the slope is made of.
+// On a slope of 30 degrees a vertex must accelerate by g (sin a - mu cos a), on a plane and on a box alike.
 TEST(ObstacleContact, SlidesDownASlopeAsGalileoSays) {
     const double slope = std::numbers::pi / 6, friction = 0.3, gravity = 9.81, seconds = 0.2;
     Obstacle tilted_box = obstacle(BoxShape(Vector3d(0, 0, -1), Vector3d(3, 1, 1)), 1e7, friction);
@@ -150,12 +153,13 @@ TEST(ObstacleContact, SlidesDownASlopeAsGalileoSays) {
     }
 }
 
-// A tray that starts gently takes its load along; one that starts too fast slips away below it.
+// A tray that starts gently takes its load along; a tray that starts too fast slips away below its load.
 TEST(ObstacleContact, FrictionCarriesWhatLiesOnAMovingBox) {
     const double gravity = 9.81, friction = 0.4, seconds = 0.5;
     const auto way_on_tray = [&](double acceleration) {
         Obstacle tray = obstacle(BoxShape(Vector3d(0, 0, -0.1), Vector3d(1, 1, 0.1)), 1e7, friction);
-        // On 3 s^2 - 2 s^3, the acceleration falls from 6 D / T^2 at its start to zero in the middle.
+        // In smooth motion by D (3 s^2 - 2 s^3), s = t / T, the acceleration falls from 6 D / T^2 at the
+        // start to zero at half time.
         const double way = acceleration * seconds * seconds / 6;
         tray.motion.keys = {{0, Vector3d::Zero(), Vector3d::UnitZ(), 0},
                             {seconds, Vector3d(0, way, 0), Vector3d::UnitZ(), 0}};
@@ -167,7 +171,8 @@ TEST(ObstacleContact, FrictionCarriesWhatLiesOnAMovingBox) {
         return shell.position(1, 0) / (0.5 * way);
     };
     EXPECT_NEAR(way_on_tray(0.9 * friction * gravity), 1, 0.02) << "carried";
-    // Sliding all the time, it gains friction times g: at half time 1/2 mu g T^2/4 of the tray's way/2.
+    // The load slides all the time and accelerates by mu g: until half time it moves by mu g T^2 / 8, and
+    // the tray by half of its displacement.
     EXPECT_NEAR(way_on_tray(10 * friction * gravity), 0.5 * 0.25 / (0.5 * 10.0 / 6), 0.02) << "left behind";
 }
 

@@ -17,7 +17,8 @@ Positions shaken(const Positions& x, double amplitude) {
     return moved;
 }
 
-// Force and stiffness of hundreds of pairs of all cases at once, mollified ones, too.
+// Wrong derivatives would push sheets wrongly or keep Newton's method from converging. More than a hundred
+// pairs of all cases act at once, also edges that are nearly parallel.
 TEST(SheetContact, ForceAndStiffnessAreDerivativesOfTheValue) {
     const Shell shell = test::stacked_plates(2, 5, 1.8e-3, test::ceramic);
     const SheetContact contact(shell);
@@ -33,8 +34,8 @@ TEST(SheetContact, ForceAndStiffnessAreDerivativesOfTheValue) {
     test::expect_derivatives(contact, x, 1e-10, 2e-6);
 }
 
-// Candidates are found once for a neighbourhood: moving about in it, out of it and back must not change a
-// bit.
+// Candidates are found once for a neighbourhood of positions and used again: after queries inside it,
+// outside and inside again, an object must give the same bits as a new one.
 TEST(SheetContact, DoesNotDependOnWhereItWasAskedBefore) {
     const Shell shell = test::stacked_plates(3, 4, 1.8e-3, test::ceramic);
     const SheetContact wanderer(shell);
@@ -49,18 +50,19 @@ TEST(SheetContact, DoesNotDependOnWhereItWasAskedBefore) {
         EXPECT_EQ(a, b);
         for (const double length : {1e-5, 1e-3, 0.01, 1.0}) {
             Positions motion = shaken(Positions::Zero(3, x.cols()), 0.1 * length);
-            motion.row(0).head(motion.cols() / 2).array() += length;  // along the other plates
+            motion.row(0).head(motion.cols() / 2).array() += length;  // half of the vertices move along x
             EXPECT_EQ(wanderer.safe_fraction(x, motion), SheetContact(shell).safe_fraction(x, motion));
         }
         EXPECT_EQ(wanderer.value(x), fresh.value(x));
     }
 }
 
-// A sheet whose edges are shorter than its thickness must not push itself apart; folded flat it must.
+// A sheet whose edges are shorter than its thickness must not push itself apart at rest, but must where it
+// is folded flat.
 TEST(SheetContact, RestShapeIsFreeOfForces) {
     Material thick = test::rubber;
     thick.thickness = 0.03;
-    Shell shell = test::stacked_plates(1, 10, 0, thick);  // edges of 0.01
+    Shell shell = test::stacked_plates(1, 10, 0, thick);  // edges of 0.01 m
     const SheetContact contact(shell);
     EXPECT_EQ(contact.active_pairs(shell.position).size(), 0u);
     EXPECT_EQ(contact.value(shaken(shell.position, 5e-4)), 0);
@@ -73,7 +75,8 @@ TEST(SheetContact, RestShapeIsFreeOfForces) {
     EXPECT_GT(contact.active_pairs(folded).size(), 100u);
 }
 
-/// Area common to two squares of side 0.1 m, turned against each other by 0.7 rad, by counting.
+/// Area, m^2, common to two squares of side 0.1 m that are turned against each other by 0.7 rad, from a grid
+/// of points.
 double common_area() {
     int inside = 0;
     for (int i = 0; i < 400; ++i)
@@ -84,9 +87,10 @@ double common_area() {
     return 0.01 * inside / 160000;
 }
 
-// Plates that lie on each other push like one and a half columns (through all three kinds of contact) on any
-// mesh: edges of 12, 6 and 3 thicknesses. The mesh may have a small influence, since a vertex over an edge of
-// the other sheet has pairs with two triangles.
+// Plates that lie on each other must push as hard as one and a half columns of their material on any mesh:
+// vertices of one plate, vertices of the other and edges have half a column each. Edges are as long as 12, 6
+// and 3 thicknesses. The mesh may have a small influence, since a vertex over an edge of the other sheet has
+// pairs with two triangles.
 TEST(SheetContact, PressureIsThatOfTheColumnOnAnyMesh) {
     const double press = 0.001 * test::ceramic.thickness,
                  column = test::ceramic.young * common_area() / test::ceramic.thickness;
@@ -129,7 +133,8 @@ struct Collision {
     double momentum_change = 0, momentum_moved = 0;
 };
 
-/// Throws the upper plates at the lower one at `speed`, tilted, without gravity.
+/// Throws the upper plate, tilted, at the lower one at `speed` (m/s), without gravity, and makes `steps`
+/// steps of `step` s.
 Collision collide(Shell& shell, double speed, double step, int steps) {
     const Index half = static_cast<Index>(shell.position.cols()) / 2;
     for (Index v = half; v < shell.position.cols(); ++v) {
@@ -158,7 +163,7 @@ Collision collide(Shell& shell, double speed, double step, int steps) {
     return result;
 }
 
-// No intersection at any speed, and no loss of momentum.
+// Plates must not intersect at any speed, nor lose momentum.
 TEST(SheetContact, CollidingPlatesDoNotPassThroughEachOther) {
     struct Case {
         Material material;

@@ -34,7 +34,7 @@ bool shows_rotation(const ContactPair& pair, const PairPositions& x) {
     return u.cross(v).norm() > 0.03 * u.norm() * v.norm();
 }
 
-// A heap that turns or flies as a whole must have no friction; otherwise it would slow down.
+// A heap that turns or flies as a whole must have no friction: friction would slow it down.
 TEST(SheetFriction, RigidMotionDoesNotSlide) {
     test::Random random(2);
     int shown = 0;
@@ -50,7 +50,7 @@ TEST(SheetFriction, RigidMotionDoesNotSlide) {
     EXPECT_GT(shown, 300);
 }
 
-// Newton's third law, as for the normal forces.
+// Newton's third law: with a net force or torque, friction would set a heap in motion.
 TEST(SheetFriction, ForcesHaveNeitherSumNorTorque) {
     for (const auto& [pair, x] : touching_pairs()) {
         if (!shows_rotation(pair, x)) continue;
@@ -87,7 +87,7 @@ TEST(SheetFriction, ForceAndStiffnessAreDerivativesOfTheValue) {
     const SheetContact contact(shell);
     SheetFriction friction = test::begun(SheetFriction(shell, contact, 0.5), shell, 0, step);
     test::Random random(5);
-    for (const double way : {0.2, 0.2, 5.0}) {  // stick without and with a force from the step before, slip
+    for (const double way : {0.2, 0.2, 5.0}) {  // sticks, sticks with a force from the step before, slips
         Positions x = shell.position;
         for (double& entry : x.reshaped()) entry += random.uniform(-0.3, 0.3) * smoothing_speed * step;
         x.rightCols(x.cols() / 2).row(0).array() += way * smoothing_speed * step;
@@ -97,7 +97,8 @@ TEST(SheetFriction, ForceAndStiffnessAreDerivativesOfTheValue) {
     }
 }
 
-// A sticking contact must keep its force in the next step, however long; otherwise it would creep or jump.
+// A sticking contact must keep its force in the next step, whatever the step's length: otherwise it would
+// creep or jump.
 TEST(SheetFriction, HoldsFromStepToStep) {
     const Shell shell = test::stacked_plates(2, 4, 1.9e-3, board);
     const SheetContact contact(shell);

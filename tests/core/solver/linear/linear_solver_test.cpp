@@ -56,7 +56,8 @@ TEST(LinearSolver, SolvesLikeADenseSolver) {
               1e-12 * right.norm());
 }
 
-// Factors with more entries than 32 bits count are too large for a test; their indices are not.
+// A factor with more entries than 32 bits can count is too large for a test; the wide indices are tested
+// with a small one.
 TEST(LinearSolver, SolvesTheSameWithWideIndices) {
     Random random(3);
     const System system = random_system(random, std::vector<char>(vertex_count, 0), 60);

@@ -17,7 +17,7 @@ namespace {
 using test::Random;
 
 /// Definite matrix on a grid of side x side vertices, each connected to its two-ring, with one vertex fixed
-/// and one guided.
+/// and one guided. smallest: value on the diagonal.
 BlockMatrix on_grid(Index side, Random& random, double smallest = 40) {
     std::vector<std::pair<Index, Index>> pairs;
     for (Index i = 0; i < side * side; ++i)
@@ -83,8 +83,9 @@ BlockMatrix on_grids(Index side, Index grids, Random& random) {
     return matrix;
 }
 
-// A subtree that takes entries of another one, or sums whose order depends on the threads' timing, would give
-// other bits or a wrong solution. The single grid has supernodes above all parts that are wider than a strip.
+// A subtree that takes entries of another subtree, or sums whose order depends on the threads' timing, would
+// give other bits or a wrong solution. In the single grid the supernodes above all parts are wider than the
+// strips of columns that threads share.
 TEST(Multifrontal, HasTheSameBitsWithAnyNumberOfThreads) {
     Random random(6);
     for (const auto& [side, grids] : {std::pair(70, 1), std::pair(20, 12), std::pair(3, 900)}) {
@@ -104,7 +105,7 @@ TEST(Multifrontal, HasTheSameBitsWithAnyNumberOfThreads) {
 }
 
 // The failed pivot decides whether double precision is tried: a wrong value costs a factorization each time,
-// or the exact Hessian.
+// or gives up the exact Hessian.
 TEST(Multifrontal, TellsHowFarFromDefiniteAMatrixIs) {
     Random random(8);
     const double none = std::numeric_limits<double>::quiet_NaN();
@@ -114,14 +115,16 @@ TEST(Multifrontal, TellsHowFarFromDefiniteAMatrixIs) {
         MultifrontalFactor<float> factor(std::make_shared<const Supernodes>(supernodes(matrix)));
         EXPECT_TRUE(factor.factorize(matrix));
         EXPECT_EQ(factor.failed_pivot(), 1);
-        matrix.add(450, 450, (diagonal - 40) * Matrix3d::Identity());  // only `diagonal` is left
+        matrix.add(450, 450, (diagonal - 40) * Matrix3d::Identity());  // the block is now `diagonal` times
+                                                                       // the identity
         EXPECT_EQ(factor.factorize(matrix), diagonal == 20);
         EXPECT_GE(factor.failed_pivot(), least);
         EXPECT_LE(factor.failed_pivot(), most);
     }
 }
 
-// Each supernode must be eliminated once, after its children, all of which belong to its part.
+// Each supernode must be eliminated once, after its children; the children of a part's supernode must belong
+// to the same part.
 TEST(EliminationParts, HaveEachSupernodeOnceWithItsChildren) {
     Random random(7);
     for (const auto& [side, grids] : {std::pair(4, 1), std::pair(50, 1), std::pair(30, 3)}) {
@@ -152,8 +155,8 @@ TEST(Multifrontal, TellsThatAMatrixIsNotDefinite) {
     EXPECT_FALSE(factor.factorize(matrix));
 }
 
-// Bending against stretching in a thin sheet, too small for single precision: the matrix would be taken for
-// indefinite, and the solver would converge slowly with the convex one.
+// Beside the stretching stiffness of a thin sheet, its bending stiffness is too small for single precision:
+// the matrix would be taken for indefinite, and the solver would converge slowly with the convex Hessian.
 TEST(SinglePrecisionSolver, TakesDoublePrecisionWhereSingleDoesNotDo) {
     BlockMatrix matrix(2, {{0, 1}}, {0, 0});
     const double stiff = 1, soft = 1e-9;
@@ -167,7 +170,7 @@ TEST(SinglePrecisionSolver, TakesDoublePrecisionWhereSingleDoesNotDo) {
     EXPECT_LT((soft * solver->solve(right) - right).norm(), 1e-6);
 }
 
-// The minimiser uses the ratio to choose between iterations and a factorization.
+// The minimiser uses the ratio of both costs to choose between iterations and a factorization.
 TEST(SinglePrecisionSolver, AFactorizationCostsMoreTheLargerTheMesh) {
     Random random(4);
     double last = 0;

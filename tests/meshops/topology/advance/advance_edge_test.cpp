@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Otherwise a crack's path depends on the mesh, or the mesh deteriorates along it.
+// With errors in advance_edge(), a crack's path would depend on the mesh, or the mesh would deteriorate
+// along the path.
 #include "meshops/topology/advance/advance_edge.h"
 
 #include <gtest/gtest.h>
@@ -18,8 +19,8 @@ namespace {
 using Eigen::Vector3d;
 using Way = AdvancedEdge::Way;
 
-/// Expects that no angle of the changed faces is below 20 degrees, or the smallest of the faces that they
-/// replace.
+/// Expects that no angle of the changed faces is below 20 degrees or, if that is less, below the smallest
+/// angle of the faces that they replace.
 void expect_angles(const TriangleSheet& old, const TriangleSheet& now, const TopologyChange& change) {
     constexpr double round_off = 1e-6;
     double made = 180, replaced = 180;
@@ -30,7 +31,8 @@ void expect_angles(const TriangleSheet& old, const TriangleSheet& now, const Top
     EXPECT_GE(made, std::min(20.0, replaced) - round_off);
 }
 
-/// Path whose edges are kept, each of which is compared with the reference.
+/// Path of edges that are inserted and kept; the mesh after each insertion is compared with the reference
+/// (sheet_oracle.h).
 class Path {
   public:
     Path(Mesh& mesh, Vertex tip, bool is_flat, bool snap) : mesh(mesh), tip(tip), is_flat(is_flat) {
@@ -42,7 +44,7 @@ class Path {
     }
     Path(const Path&) = delete;
 
-    /// Returns nothing if the path has ended: at the boundary, or at itself.
+    /// Inserts the next edge. Returns nothing if the path has ended, at the boundary or at itself.
     std::optional<AdvancedEdge> advance(const Vector3d& direction) {
         if (has_ended) return std::nullopt;
         const TriangleSheet old = arrays_of(mesh);
@@ -91,8 +93,9 @@ bool is_near_boundary(const Mesh& mesh, Vertex vertex) {
     return mesh.is_border(vertex) || std::ranges::any_of(around, [&](Vertex v) { return mesh.is_border(v); });
 }
 
-// An edge may leave the ray only next to the boundary: where the ray meets it at less than 20 degrees, or
-// beside a corner that cannot move; and on poor meshes where the bound on angles allows no other edge.
+// An edge may leave the ray only next to the boundary, where the ray meets the boundary at less than 20
+// degrees or beside a corner that cannot move, and on poor meshes where the bound on angles allows no other
+// edge.
 RC_GTEST_PROP(AdvanceEdge, RandomPathsKeepSheetAnglesAndCourse, ()) {
     const unsigned shape = *rc::gen::inRange(0u, sheet_shapes), seed = *rc::gen::inRange(0u, 1u << 30);
     Mesh mesh = drawn_sheet(shape, seed);
@@ -102,7 +105,7 @@ RC_GTEST_PROP(AdvanceEdge, RandomPathsKeepSheetAnglesAndCourse, ()) {
     if (is_flat_sheet(shape)) direction.z() = 0;
     const Vector3d line = direction.normalized();
     bool is_on_course = true;
-    const int steps = is_flat_sheet(shape) ? 40 : 15;  // not round a curved sheet, back to itself
+    const int steps = is_flat_sheet(shape) ? 40 : 15;  // too few to run round a curved sheet to the start
     for (int i = 0; i < steps; ++i) {
         const auto advanced = path.advance(direction);
         if (!advanced) break;
@@ -137,7 +140,7 @@ RC_GTEST_PROP(AdvanceEdge, PathsMayTurn, ()) {
     RC_ASSERT(!testing::Test::HasFailure());
 }
 
-// The prescribed curve is a great circle: the direction is its tangent at the tip.
+// The prescribed curve is a great circle: each direction is its tangent at the tip.
 TEST(AdvanceEdge, FollowsACurveOnASphere) {
     for (unsigned seed = 1; seed <= 5; ++seed) {
         Mesh mesh = generate_sphere(1, {.edge_length = 0.15, .seed = seed});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Otherwise a line is cut elsewhere than drawn, or the mesh is not valid afterwards.
+// With errors in LineCut, a line would be cut elsewhere than drawn, or the mesh would not be valid
+// afterwards.
 #include "meshops/topology/advance/line_cut.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +19,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Prints values of docs/theory/geometry.md.
+// Prints smallest angles that docs/theory/geometry.md has.
 TEST(LineCut, PrintsTheSmallestAnglesOfStraightCuts) {
     std::vector<double> angles;
     for (unsigned seed = 1; seed <= 100; ++seed) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rigid tools whose gap became smaller than a sheet's thickness once did 200 J of work on a foil of 1 g,
-// without a message.
+// When the gap between rigid tools became smaller than the thickness of a foil of 1 g between them, they once
+// did 200 J of work on it, without a message.
 #include "app/scene/assemble/check/squeeze.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace sherd::test {
 namespace {
 
-/// Sheet of 1 mm at z = 0, held at its rim.
+/// Scene of a sheet, 1 mm thick, at z = 0, which is held at its rim.
 const std::string held = R"(duration = 0.1
 [sheet.foil]
 mesh = { generate = "rectangle", width = 0.1, height = 0.1, edge_length = 0.02 }
@@ -22,7 +22,7 @@ material = { preset = "paper", thickness = 0.001 }
 pin = { boundary = true }
 )";
 
-/// Motion by `way` until 0.05 s and back.
+/// Keys of a motion by `way`, m, until 0.05 s, and back until 0.1 s.
 std::string keys(const std::string& way) {
     return "motion = \"linear\"\nkeys = [{ time = 0 }, { time = 0.05, translate = " + way +
            " }, { time = 0.1 }]\n";
@@ -106,15 +106,16 @@ TEST(Squeeze, WithRoomOrNothingBetweenNothingIsSaid) {
     expect_room(held + upper(ball_above, "[0, 0, -0.019]") + lower(floor_below));
     const std::string aside = "sphere = { radius = 0.01, centre = [0.09, 0.2, 0.02] }";
     expect_room(held + upper(aside, "[0, 0, -0.025]") + lower(floor_below));
-    // Two parts of one tool, which stay together.
+    // Two parts of one tool stay together.
     expect_room(held + upper("box = { size = [0.02, 0.02, 0.02], centre = [0, 0, 0.03] }", "[0, 0, -0.01]") +
                 lower("box = { size = [0.01, 0.01, 0.1], centre = [0, 0, 0.09] }", "[0, 0, -0.01]"));
-    // Both on one side.
+    // Both tools are on one side of the sheet.
     expect_room(held + upper("sphere = { radius = 0.01, centre = [0, 0, 0.06] }", "[0, 0, -0.019]") +
                 lower("sphere = { radius = 0.01, centre = [0, 0, 0.02] }"));
 }
 
-// The press comes from the side when the sheet lies on the floor.
+// The press comes from the side after the sheet has fallen to the floor, so that the sheet may be between
+// them, but need not be.
 TEST(Squeeze, WhatTheSheetMayGetBetweenIsAWarning) {
     std::string falling = held;
     falling.replace(falling.find("pin = "), std::string("pin = { boundary = true }").size(),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Otherwise a sheet is weak in other places than those of its map or score.
+// If one of these tests failed, a sheet would be weak in other places than its maps and scores say.
 #include "app/scene/assemble/sheet/strength_map.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,8 @@ using Eigen::Vector3d;
 constexpr std::uint16_t full = 65535;
 constexpr Colour16 black{0, 0, 0}, white{full, full, full}, blue{0, 0, full};
 
-/// Square of 4 x 4 squares from (0, 0) to (1, 1) whose texture coordinates are `texture` of its positions.
+/// Writes a square of 4 x 4 squares, from (0, 0) to (1, 1), in which a vertex at p has the texture
+/// coordinates texture(p).
 template <class Texture>
 void write_square(const std::filesystem::path& file, const Texture& texture) {
     TriangleSheet sheet = triangle_sheet(grid(4, 4));
@@ -55,7 +56,8 @@ class StrengthMaps : public testing::Test {
     StrengthMaps() {
         write_square(directory.path / "square.obj", [](const Vector2d& p) { return p; });
     }
-    /// Returns the factors of the square with this [fracture], and sets `mesh` to its mesh as placed.
+    /// Returns the factors of the square with the keys `fracture` in its table [fracture], and sets `mesh` to
+    /// its mesh as placed. more: lines of its sheet, with `mesh`, that replace the usual ones.
     std::vector<double> factors(const std::string& fracture, const std::string& more = "") {
         const Scene scene = read_scene(directory.write(
             "scene.toml",
@@ -80,8 +82,8 @@ class StrengthMaps : public testing::Test {
     std::vector<std::string> warnings;
 };
 
-// Black on the left, a third of white (blue) on the right: linear between the centres of the texels, u = 1/4
-// and 3/4.
+// The image is black on the left, and on the right blue, which counts as a third of white. Between the
+// centres of the two texels, at u = 1/4 and 3/4, values must be linear.
 TEST_F(StrengthMaps, TextureIsLookedUpAtTheMiddleOfEdges) {
     write_png(directory.path / "a.png", 2, 1, {black, blue});
     const auto grey = [](double u) { return std::clamp((u - 0.25) / 0.5, 0.0, 1.0) / 3; };
@@ -105,14 +107,15 @@ TEST_F(StrengthMaps, TextureHasItsTopAtTheTop) {
         }
 }
 
-// The two faces of a seam are on islands far apart; the texture between the islands must not count.
+// The texture coordinates of the two faces at a seam are on islands far apart; texels between the islands
+// must not count.
 TEST_F(StrengthMaps, ASeamIsTheMeanOfWhatItsFacesSee) {
     directory.write("square.obj",
                     "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0.1 0.5\nvt 0.125 0.5\nvt 0.875 0.5\nvt 0.9 0.5\n"
                     "f 1/1 2/1 3/1\nf 1/4 3/4 4/4\n");
     write_png(directory.path / "a.png", 4, 1, {black, white, white, blue});
     const std::vector<double> found = factors("map = { texture = \"a.png\" }");
-    const double left = (1.0 / 3) * 0.1, right = 1.0 / 3 * 0.9;  // u = 0.1 and 0.9, repeating
+    const double left = (1.0 / 3) * 0.1, right = 1.0 / 3 * 0.9;  // at u = 0.1 and 0.9 of the repeated image
     for (const Edge e : mesh.edges()) {
         const bool seam = !mesh.is_border(e);
         const bool lower = middle(mesh, e).x() > middle(mesh, e).y();
@@ -157,7 +160,7 @@ TEST_F(StrengthMaps, NeverKeepsWhatIsWhiteWhole) {
     EXPECT_GT(whole, 10);
 }
 
-// A map or a score of the toughness must not change the strength, nor the other way round.
+// A map or a score of the toughness must not change the strength, nor a map of the strength the toughness.
 TEST_F(StrengthMaps, ChangeTheLawThatTheySay) {
     write_png(directory.path / "a.png", 1, 1, white);
     const std::string text =
@@ -181,7 +184,8 @@ TEST_F(StrengthMaps, ChangeTheLawThatTheySay) {
     EXPECT_NE(told.out.find("times 0.05 to 0.5, edge by edge"), std::string::npos) << told.out;
 }
 
-// A grid that was exported beside the mesh must move with it when the scene scales and places it.
+// A grid that was exported together with the mesh must move with the mesh when the scene scales and places
+// it.
 TEST_F(StrengthMaps, GridMovesWithTheMesh) {
     const auto value = [](double x, double y, double z) { return 1 + x - 0.5 * y + z; };
     write_vdb(directory.path / "a.vdb", {vdb_grid("s", 0.1, {{-2, -2, -2}, {12, 12, 2}}, 1.0f, value)});

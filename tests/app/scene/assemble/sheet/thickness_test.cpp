@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Otherwise a sheet is thin in other places than those of its map.
+// If one of these tests failed, a sheet would be thin in other places than its map says.
 #include "app/scene/assemble/sheet/thickness.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr Colour16 grey{21845, 21845, 21845}, bright{65535, 65535, 65535};  // a third, and full
+constexpr Colour16 grey{21845, 21845, 21845}, bright{65535, 65535, 65535};  // a third of white, and white
 
 class ThicknessMaps : public testing::Test {
   protected:
@@ -38,7 +38,8 @@ class ThicknessMaps : public testing::Test {
         write_png(directory.path / "a.png", 2, 1, {grey, bright});
         directory.write("square.ply", with_property("0.002", "0.004"));
     }
-    /// Square of two triangles, in a file with an additional vertex.
+    /// Text of a PLY file of a square of two triangles, and of a vertex that no face uses. left, right:
+    /// values of the property `thick`.
     static std::string with_property(const std::string& left, const std::string& right) {
         return "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float "
                "z\n"
@@ -74,7 +75,7 @@ TEST_F(ThicknessMaps, OfOneNumberIsThisNumber) {
     EXPECT_EQ(mapped.material.thickness, 0.003);
 }
 
-// Linear between the centres of the two texels, u = 1/4 and 3/4.
+// Between the centres of the two texels, at u = 1/4 and 3/4, the thickness must be linear.
 TEST_F(ThicknessMaps, TextureIsLookedUpAtTheVertices) {
     const SheetInput ranged = input("{ texture = \"a.png\", range = [0.006, 0.002] }");
     const SheetInput scaled = input("{ texture = \"a.png\", scale = 0.008 }",
@@ -91,7 +92,7 @@ TEST_F(ThicknessMaps, TextureIsLookedUpAtTheVertices) {
     EXPECT_TRUE(warnings.empty()) << warnings.front();
 }
 
-// Remeshing must not move the thin places: the property is linear over the file's triangles.
+// Remeshing must not move the thin places: the property must remain linear over the file's triangles.
 TEST_F(ThicknessMaps, PropertyReachesRemeshedMeshes) {
     const SheetInput made = input("{ property = \"thick\" }", "{ file = \"square.ply\", remesh = 0.1 }");
     EXPECT_GT(made.mesh.number_of_faces(), 150u);
@@ -99,7 +100,7 @@ TEST_F(ThicknessMaps, PropertyReachesRemeshedMeshes) {
         EXPECT_NEAR(made.thickness[v], 0.002 + 0.002 * position(made.mesh, v).x(), 1e-12);
 }
 
-// Remeshing must not move texture coordinates, either.
+// Remeshing must not move texture coordinates, and with them the thin places, either.
 TEST_F(ThicknessMaps, TextureReachesRemeshedMeshes) {
     const SheetInput made =
         input("{ texture = \"a.png\", range = [0.006, 0.002] }", "{ file = \"square.obj\", remesh = 0.07 }");
@@ -111,7 +112,8 @@ TEST_F(ThicknessMaps, TextureReachesRemeshedMeshes) {
         }
 }
 
-// A grid must move with the mesh that the scene scales and places, with unscaled values in metres.
+// A grid must move with the mesh when the scene scales and places it, but its values are in metres and must
+// not be scaled.
 TEST_F(ThicknessMaps, GridMovesWithTheMesh) {
     const auto value = [](double x, double y, double) { return 0.001 + 0.002 * x + 0.001 * y; };
     write_vdb(directory.path / "t.vdb", {vdb_grid("t", 0.1, {{-2, -2, -2}, {12, 12, 2}}, 1.0f, value)});
@@ -145,7 +147,7 @@ TEST_F(ThicknessMaps, PropertyIsThatOfTheFilesVertices) {
     }
 }
 
-// Strength maps may use this source, too: an edge has the mean of its ends.
+// Strength maps may use a property of vertices, too: an edge has the mean of the values at its ends.
 TEST_F(ThicknessMaps, PropertyMayBeAStrengthToo) {
     const Scene scene = read_scene(directory.write(
         "scene.toml", text("0.003", "\"square.ply\"") +

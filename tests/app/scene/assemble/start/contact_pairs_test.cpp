@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A dense scan with a thickness of many edges must not fill the memory until the system kills the program.
+// A dense scan that is many edges thick has so many contact pairs that they would fill the memory until the
+// system kills the program.
 #include "app/scene/assemble/start/contact_pairs.h"
 
 #include <fmt/format.h>
@@ -13,7 +14,7 @@
 namespace sherd::test {
 namespace {
 
-/// Message of the refusal; empty if the scene is accepted.
+/// Message with which the scene is refused; empty if it is accepted.
 std::string refusal(double thickness, const std::string& contact) {
     const TemporaryDirectory directory;
     const Scene scene = read_scene(directory.write(

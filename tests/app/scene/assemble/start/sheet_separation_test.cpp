@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sheets that touch up to the rounding of a modeller must run, and no visible motion may be applied.
+// Sheets that touch, except for the rounding of a modelling program, must run, but must not be moved visibly.
 #include "app/scene/assemble/start/sheet_separation.h"
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double thickness = 0.01;  // m
 
-/// Square of side 1 m and 1 cm thick, at `place`.
+/// Scene text of a square sheet with sides of 1 m, 1 cm thick, at `place`.
 std::string square(const std::string& name, const std::string& place, const std::string& more = "") {
     return fmt::format(
         "[sheet.{}]\nmesh = {{ generate = \"rectangle\", width = 1, height = 1, edge_length = 0.25 }}\n"
@@ -31,7 +31,7 @@ std::string at_height(double z) {
 }
 
 struct Parted {
-    std::vector<double> moved;  ///< m, upwards, of each sheet
+    std::vector<double> moved;  ///< displacement of each sheet, upwards, m
     std::vector<std::string> warnings;
     std::string error;
     bool apart = false;
@@ -89,7 +89,7 @@ TEST(SheetParting, TheUpperOneIsLiftedWithAWarning) {
     }
 }
 
-// Lifting one sheet would press it into the next.
+// If only one sheet of a stack were lifted, it would be pressed into the next.
 TEST(SheetParting, AStackIsPartedFromBelow) {
     const Parted three = parted(square("a", at_height(0)) + square("b", at_height(0.98 * thickness)) +
                                 square("c", at_height(1.96 * thickness)));
@@ -112,7 +112,8 @@ TEST(SheetParting, WhatIsHeldStays) {
         -0.03 * thickness, 1e-9);
 }
 
-// A visible motion is refused with the earlier message, and nothing is moved.
+// Sheets that would have to move visibly must be refused with the message about their distance, and stay in
+// place.
 TEST(SheetParting, MoreThanATwentiethOfTheThicknessIsRefused) {
     const Parted two = parted(square("a", at_height(0)) + square("b", at_height(0.94 * thickness)));
     EXPECT_NE(two.error.find(") m are 0.0094 m apart, less than 0.01 m"), std::string::npos) << two.error;
@@ -123,7 +124,7 @@ TEST(SheetParting, MoreThanATwentiethOfTheThicknessIsRefused) {
     EXPECT_NE(crossing.error.find("cross or touch"), std::string::npos) << crossing.error;
 }
 
-// A sheet between two held ones cannot be moved apart.
+// A sheet between two sheets that are held cannot be moved apart from both.
 TEST(SheetParting, AWedgedSheetIsRefused) {
     const std::string pin = "pin = { boundary = true }";
     const Parted three = parted(square("a", at_height(0), pin) + square("b", at_height(0.98 * thickness)) +
@@ -132,7 +133,7 @@ TEST(SheetParting, AWedgedSheetIsRefused) {
     EXPECT_EQ(three.moved, (std::vector<double>{0, 0, 0}));
 }
 
-// Unless a scene is strict, the same sheets run, with a warning that names those that do not collide.
+// Without contact.start = "error" these sheets must run, with a warning that says what does not collide.
 TEST(SheetParting, WhatCannotBePartedIsExemptByDefault) {
     const Parted crossing =
         parted(square("a", at_height(0)) +
@@ -147,7 +148,7 @@ TEST(SheetParting, WhatCannotBePartedIsExemptByDefault) {
     EXPECT_NE(crossing.warnings[0].find("cross or touch"), std::string::npos);
 }
 
-// Axes for pictures are made again from the scene, in which the sheets have not been moved.
+// For pictures the axes are made again from the scene, in which the sheets have not been moved.
 TEST(SheetParting, AxesOfWhatWasMovedCanStillBeDrawn) {
     const TemporaryDirectory directory;
     const auto orthotropic = [](const std::string& name, double z) {
