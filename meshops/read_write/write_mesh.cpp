@@ -23,18 +23,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-namespace fs = std::filesystem;
-
-/// The state that is carried from one object of an OBJ file to the next: counts, and the current groups and
-/// material.
+/// State that is carried from one object of an OBJ file to the next: numbers of points, texture points and
+/// normals so far, and the current groups and material.
 struct ObjState {
     std::size_t points = 0, texture = 0, normals = 0;
     GroupNames names;
     FaceMaterial material;
 };
 
-/// Appends the lines that put the following faces into exactly these groups. Only an object's name may have
-/// several words; `has_objects` tells whether any of the names has.
+/// Appends the lines that put the following faces into exactly the groups `names`. A name of several words
+/// goes into an `o` line, since a `g` line has names of one word. has_objects: whether any name in the file
+/// has several words.
 void append_named_groups(std::string& text, const GroupNames& names, bool has_objects) {
     std::string group = "g", object = "o";
     if (names)
@@ -51,8 +50,9 @@ bool has_objects(const TriangleSheet& sheet) {
     });
 }
 
-/// Appends the values of triangle corners, each different value once, on a line of its own. Returns their
-/// numbers in the file. count: number of values in the file so far.
+/// Appends a line with `keyword` for each different value at the corners of `triangles`. Returns the numbers
+/// in the file of the values at the corners of each of these triangles. values: three for each triangle of
+/// the sheet, or empty. count: number of lines with `keyword` in the file so far.
 template <class Values>
 std::vector<std::array<std::size_t, 3>> append_corners(std::string& text, const char* keyword,
                                                        const Values& values,
@@ -74,7 +74,8 @@ std::vector<std::array<std::size_t, 3>> append_corners(std::string& text, const 
     return numbers;
 }
 
-/// Appends the lines with the groups and the material of a triangle, if they differ from the previous ones.
+/// Appends the lines with the groups and the material of a triangle, if they differ from those in `state`.
+/// objects: whether any name of a group in the file has several words.
 void append_state(std::string& text, const TriangleSheet& sheet, std::size_t triangle, bool objects,
                   ObjState& state) {
     if (!sheet.look.groups.empty() && sheet.look.groups[triangle] != state.names) {
@@ -129,7 +130,7 @@ std::vector<std::size_t> points_of(const TriangleSheet& sheet, const std::vector
     return points;
 }
 
-/// The name of the file of materials. Throws Error if it has a line break.
+/// Returns the name of the .mtl file of an OBJ file. Throws Error if the name has a line break.
 std::string library_name(const fs::path& file) {
     std::string name = material_file(file).filename().string();
     if (name.find_first_of("\r\n") == name.npos) return name;
@@ -137,7 +138,7 @@ std::string library_name(const fs::path& file) {
                 Fault::run);
 }
 
-/// The content of an OBJ file, for mesh_bytes(). file: its name; the file of materials is named after it.
+/// Returns the content of the OBJ file `file`, for mesh_bytes().
 std::string obj_text(const TriangleSheet& sheet, const fs::path& file) {
     std::string text;
     if (!sheet.look.material.empty()) append_all(text, "mtllib ", library_name(file).c_str(), "\n");
@@ -160,7 +161,7 @@ std::string obj_text(const TriangleSheet& sheet, const fs::path& file) {
     return text;
 }
 
-/// Number of colour components in a PLY file: 4, with opacity, only if something is not opaque, otherwise 3.
+/// Number of colour components in a PLY file: 4, with opacity, if a colour is not opaque; otherwise 3.
 std::size_t colour_parts(const TriangleSheet& sheet) {
     const auto is_clear = [](const Colour& colour) { return colour[3] < 255; };
     return std::ranges::any_of(sheet.look.face_colour, is_clear) ||
@@ -298,8 +299,8 @@ std::string lower_extension(const fs::path& file) {
     return extension;
 }
 
-/// Appends the values of `count` elements to those of `before` ones; `otherwise` fills in for either without
-/// any.
+/// Appends `values`, of `count` elements, to `all`, the values of `before` elements. If only one of the two
+/// lists has values, the elements of the other get `otherwise`.
 template <class Value>
 void append_values(std::vector<Value>& all, const std::vector<Value>& values, std::size_t before,
                    std::size_t count, const Value& otherwise) {

@@ -14,15 +14,16 @@ namespace {
 using EdgeSides = std::span<const SoupSide>;
 using SidePair = std::array<SoupSide, 2>;
 
-/// Two triangles at an edge of more than two, with the criteria for keeping them joined.
+/// Two triangles at an edge where more than two meet, with the criteria that decide which pairs stay joined:
+/// pairs with a small key() are preferred.
 struct SheetPair {
     SidePair sides;
     bool disagree;   ///< whether their orientations disagree
-    bool elsewhere;  ///< whether only edges of more than two triangles join them
-    double bend;     ///< dihedral angle in 1e-6 rad, rounded so that round-off decides nothing
+    bool only_here;  ///< whether no edges of two triangles connect them elsewhere
+    double bend;     ///< dihedral angle in 1e-6 rad, rounded so that round-off does not decide
     bool inward;     ///< whether they bend towards their normals
 
-    auto key() const { return std::tuple(disagree, elsewhere, bend, inward); }
+    auto key() const { return std::tuple(disagree, only_here, bend, inward); }
     auto order() const { return std::tuple(key(), sides[0].triangle, sides[1].triangle); }
     bool has(const SoupSide& side) const {
         return side.key() == sides[0].key() || side.key() == sides[1].key();
@@ -33,7 +34,8 @@ Kernel::Vector_3 unit(const Kernel::Vector_3& v) {
     return v / std::sqrt(v.squared_length());
 }
 
-/// Unit vector in the plane of a side's triangle, perpendicular to the side and away from it.
+/// Returns the unit vector in the plane of the triangle of a side that is perpendicular to the side and
+/// points into the triangle.
 Kernel::Vector_3 away_from(const TriangleSoup& soup, const SoupSide& side) {
     const auto& triangle = soup.triangles[side.triangle];
     const Point& start = soup.points[triangle[side.corner]];
@@ -55,7 +57,8 @@ SheetPair sheet_pair(const TriangleSoup& soup, DisjointSets& parts, const SoupSi
             a.is_rising != b.is_rising && normal * way_b > 0};
 }
 
-/// Pairs of an edge's triangles that stay joined. parts: triangles connected by edges of two triangles.
+/// Returns the pairs of triangles at an edge that stay joined. sides: the sides of all triangles at the edge;
+/// parts: result of parts_of().
 std::vector<SidePair> sheets_at(const TriangleSoup& soup, DisjointSets& parts, EdgeSides sides) {
     if (sides.size() == 2) return {{sides[0], sides[1]}};
     std::vector<SheetPair> candidates;
@@ -82,7 +85,7 @@ std::vector<SidePair> sheets_at(const TriangleSoup& soup, DisjointSets& parts, E
     return pairs;
 }
 
-/// Sets of triangles connected by edges of two triangles.
+/// Returns the sets of triangles that are connected by edges of two triangles.
 DisjointSets parts_of(const TriangleSoup& soup) {
     DisjointSets parts(soup.triangles.size());
     for_each_soup_edge(soup, [&](EdgeSides sides) {
@@ -97,7 +100,8 @@ std::uint32_t double_point(TriangleSoup& soup, std::uint32_t point) {
     return static_cast<std::uint32_t>(soup.points.size() - 1);
 }
 
-/// Sets of corners (3 t + corner) at a point that are joined across edges within a sheet.
+/// Returns the fans as sets of triangle corners, numbered 3 t + corner: the corners at a point of triangles
+/// that stay joined at an edge of this point are in one set.
 DisjointSets fans(const TriangleSoup& soup) {
     DisjointSets parts = parts_of(soup), sets(3 * soup.triangles.size());
     const auto corner = [](const SoupSide& side, bool low) {
@@ -111,7 +115,8 @@ DisjointSets fans(const TriangleSoup& soup) {
     return sets;
 }
 
-/// Gives each fan but the first at a point a point of its own. Returns the points that were duplicated.
+/// At each point, gives each fan except the first a point of its own. Returns the points that were
+/// duplicated.
 std::vector<std::uint32_t> separate_fans(TriangleSoup& soup) {
     DisjointSets sets = fans(soup);
     constexpr std::uint32_t none = -1;
@@ -133,7 +138,7 @@ std::vector<std::uint32_t> separate_fans(TriangleSoup& soup) {
     return doubled;
 }
 
-/// Detaches all triangles but one pair from each edge with three or more. Returns the points that were
+/// Detaches all triangles except one pair from each edge of three or more. Returns the points that were
 /// duplicated.
 std::vector<std::uint32_t> detach_surplus(TriangleSoup& soup) {
     DisjointSets parts = parts_of(soup);
@@ -163,7 +168,7 @@ std::vector<std::uint32_t> separate_sheets(TriangleSoup& soup) {
     std::vector<std::uint32_t> doubled;
     while (true) {
         auto now = separate_fans(soup);
-        // Triangles that still share an edge of three or more are connected all around both of its ends.
+        // If triangles still share an edge of three or more, they belong to one fan at each of its ends.
         if (now.empty()) now = detach_surplus(soup);
         if (now.empty()) break;
         doubled.insert(doubled.end(), now.begin(), now.end());

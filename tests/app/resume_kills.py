@@ -209,7 +209,7 @@ def finish(command):
         give_up(command, run.returncode, run.stderr)
 
 
-class Victim:
+class KilledRun:
     """A run that is killed and resumed repeatedly."""
 
     def __init__(self, sherd, scene, recording, chance):
@@ -279,7 +279,7 @@ def check(sherd, name, kills, chance, folder):
     spent = rounds = 0
     same = True
     while spent < kills:
-        victim = Victim(sherd, scene, folder / f"killed-{rounds}.h5", chance)
+        victim = KilledRun(sherd, scene, folder / f"killed-{rounds}.h5", chance)
         while spent + victim.kills < kills and not victim.killed():
             pass
         finish([*victim.command, "--resume"])

@@ -34,20 +34,21 @@ namespace {
 constexpr std::string_view name_characters =
     "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
 
-/// Reads the key `name` of a table that describes a `thing`, "variant". The name consists of letters, digits,
-/// _ and -, and differs from those in `earlier`. reason: for messages, "names a group of the recording".
-std::string read_plain_name(TomlTable& table, std::string_view thing, std::string_view reason,
+/// Returns the value of the key `name` in a table. Reports a name that has characters other than letters,
+/// digits, _ and -, that begins with -, or that is among the `earlier` ones. noun: word for what the table
+/// describes, "variant"; reason: why characters are limited, "names a group of the recording".
+std::string read_plain_name(TomlTable& table, std::string_view noun, std::string_view reason,
                             const std::vector<std::string>& earlier) {
-    std::string name = table.string("name", fmt::format("the name of the {}", thing));
+    std::string name = table.string("name", fmt::format("the name of the {}", noun));
     if (name.find_first_not_of(name_characters) != std::string::npos || name.starts_with('-'))
         table.report("name", fmt::format("{}: write it in letters, digits, _ and -", reason));
     if (std::find(earlier.begin(), earlier.end(), name) != earlier.end() && !name.empty())
-        table.report("name", fmt::format("\"{}\" is the name of another {} already", name, thing));
+        table.report("name", fmt::format("\"{}\" is the name of another {} already", name, noun));
     return name;
 }
 
-/// Returns the names of the `[[variant]]`s of a scene, in the order of the file. A missing name, one that
-/// cannot be part of a file's name, or one that another variant has, is a problem.
+/// Returns the names of the `[[variant]]`s of a scene, in the order of the file. Reports a name that is
+/// missing, that cannot be part of a file's name, or that another variant has.
 std::vector<std::string> read_variant_names(TomlTable& root) {
     std::vector<std::string> names;
     for (TomlTable& variant : root.tables("variant")) {
@@ -58,8 +59,8 @@ std::vector<std::string> read_variant_names(TomlTable& root) {
     return names;
 }
 
-/// Removes the variants from `scene`, and replaces its keys by those of the variant `name`, if there is one.
-/// Tables are merged; everything else, inline tables and arrays too, is replaced.
+/// Removes all variants from `scene`, and puts the keys of the variant `name`, if there is one, into it by
+/// merge_keys().
 void apply_variant(toml::table& scene, const std::string& name) {
     const toml::node_view<toml::node> variants = scene["variant"];
     std::vector<toml::table*> candidates;
@@ -75,7 +76,7 @@ void apply_variant(toml::table& scene, const std::string& name) {
     merge_keys(scene, std::move(changes));
 }
 
-constexpr double most_steps = 1e9;  // would take decades: most likely a mistyped step
+constexpr double most_steps = 1e9;  // more steps would take decades: the step is most likely mistyped
 
 constexpr std::array<std::string_view, 2> starts{"exempt", "error"};
 constexpr std::array contact_keys{
@@ -89,8 +90,8 @@ constexpr std::array contact_keys{
 constexpr Section<Scene> contact_section{
     "Contact of sheets and fragments with each other and with themselves", contact_keys};
 
-/// Reads the duration, which in statics is the last load factor or length of path, and derives the frame
-/// interval.
+/// Reads the duration, which statics take from their last load factor or length of path instead. Sets the
+/// default of the frame interval.
 void read_duration(TomlTable& root, const KeyInfo& key, Scene& scene) {
     if (!scene.is_static())
         scene.duration = root.number(key.name, key.rules.unit, key.rules.range);
@@ -137,7 +138,7 @@ void read_sheets(TomlTable& root, const KeyInfo& key, Scene& scene) {
             read_section(table, sheet_section, sheet);
         }
     } else if (root.has(key.name)) {
-        return;  // reported as no table
+        return;  // table() has reported that it is no table
     }
     if (scene.sheets.empty())
         root.report(key.name, "the scene has no sheet: add [sheet.NAME] with mesh and material");
@@ -191,8 +192,8 @@ void require_few_steps(const Scene& scene, TomlTable& table, const char* key, co
                      fmt::format("would take {:.2g} steps, more than {:.0g}: {}", steps, most_steps, advice));
 }
 
-/// Shortens a default step to the frame interval, as frames are recorded at the ends of steps. If the scene
-/// gives a longer step, it is reported.
+/// Shortens a default step to the frame interval, as frames are recorded at the ends of steps. Reports a
+/// frame interval that is shorter than a step that the scene gives, or than a step of statics.
 void complete_frame_interval(TomlTable& output, bool step_is_given, Scene& scene) {
     if (scene.frame_interval >= scene.simulation.stepper.step) return;
     if (step_is_given || scene.is_static())
@@ -219,7 +220,8 @@ void complete_times(TomlTable& root, Scene& scene) {
     if (output && output->has("every")) complete_frame_interval(*output, step_is_given, scene);
 }
 
-/// Reports keys that do not go with the paper's rule, which only compares hinges with their strength.
+/// Reports fracture data that do not go with the paper's rule, which only compares hinges with their
+/// strength.
 void require_paper(TomlTable& root, const FractureSpec& fracture) {
     if (fracture.has_toughness())
         root.report("solver", "rule = \"paper\" does not support toughness: leave one of them out");
@@ -231,7 +233,7 @@ void complete_sheets(TomlTable& root, const Scene& scene) {
     for (const SheetSpec& sheet : scene.sheets) {
         if (sheet.fracture && scene.simulation.rule == BreakingRule::paper)
             require_paper(root, *sheet.fracture);
-        // Coupled hinges have the rigidity of a plate; other hinges can be calibrated.
+        // Coupled hinges always have the rigidity of a plate; only other hinges can be calibrated.
         if (scene.simulation.stepper.shell.bending.model == BendingModel::coupled &&
             sheet.material.calibration == Calibration::paper)
             root.report("sheet",
@@ -246,7 +248,7 @@ void complete_gauges(TomlTable& root, const Scene& scene) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < tables.size(); ++i) {
         check_sheet_name(tables[i], scene);
-        if (scene.gauges[i].name.empty()) continue;  // reported
+        if (scene.gauges[i].name.empty()) continue;  // the missing name has been reported
         names.push_back(read_plain_name(tables[i], "gauge", "names a group of the recording", names));
     }
 }

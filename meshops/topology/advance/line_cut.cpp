@@ -18,14 +18,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A vertex at a point of the mesh.
+/// Result of place_vertex().
 struct PlacedVertex {
     Vertex vertex;
     double smallest_angle;  ///< smallest angle of the changed faces, rad; pi if there are none
     TopologyChange change;
 };
-
-using Eigen::Vector3d;
 
 constexpr double on_side = 1e-9;  // weight of a corner below which a point lies on the opposite side
 
@@ -36,7 +34,8 @@ std::array<Halfedge, 3> sides_of(const Mesh& mesh, const std::array<Vertex, 3>& 
     return sides;
 }
 
-/// Returns the point, or the nearest point on a line of its face if that is within `near` (m).
+/// Returns `point`, or the nearest point of those sides of its face that are lines, if that is nearer than
+/// `near` (m).
 SurfacePoint drawn_to_lines(const Patch& patch, const SurfacePoint& point, double near) {
     const Vector3d place = position(patch.mesh, point);
     const std::array<Halfedge, 3> sides = sides_of(patch.mesh, point.corners);
@@ -56,7 +55,7 @@ SurfacePoint drawn_to_lines(const Patch& patch, const SurfacePoint& point, doubl
     return drawn;
 }
 
-/// Whether a corner of the point's face may be moved there.
+/// Whether corner number `corner` of the point's face may be moved to the point.
 bool may_move(const Patch& patch, int corner, const SurfacePoint& point) {
     const std::array<Halfedge, 3> sides = sides_of(patch.mesh, point.corners);
     const auto is_on_line = [&](int side) {
@@ -100,9 +99,10 @@ std::vector<Vertex> centres_at(const Mesh& mesh, const SurfacePoint& point) {
     return centres;
 }
 
-/// Makes a vertex at `point` as advance_edge() does: moves a corner of its face there, or inserts a vertex.
-/// If a line is within `near` (m) of the point, its nearest point replaces the point. A corner within `near`
-/// that cannot be moved is used as it is. The best change is made, whatever its angles.
+/// Makes a vertex at `point` as advance_edge() does: moves a corner of the face of the point there, or
+/// inserts a vertex. If a line is within `near` (m) of the point, the nearest point of the line is used
+/// instead. If a corner within `near` cannot be moved, the corner is used as it is. The best change is made,
+/// whatever its angles.
 PlacedVertex place_vertex(Mesh& mesh, const SurfacePoint& point, double near, const AdvanceOptions& options) {
     const Patch patch = patch_around(mesh, centres_at(mesh, point), options.kept);
     SurfacePoint local = point;
@@ -151,7 +151,7 @@ class NearestOnSurface {
     struct Found {
         Face face;
         Vector3d place;
-        bool is_outside;  ///< whether, seen along the face's normal, the point lies beyond the rim
+        bool is_outside;  ///< whether the given point, seen along the normal of the face, lies beyond the rim
     };
     Found operator()(const Vector3d& point, double tolerance) const {
         const auto [at, primitive] = tree.closest_point_and_primitive({point.x(), point.y(), point.z()});

@@ -13,7 +13,7 @@
 namespace sherd::test {
 namespace {
 
-/// Disc that falls for ten steps, with a frame every four.
+/// Scene of a disc that falls for ten steps, with a frame every four steps.
 const std::string falling = R"(duration = 0.01
 [sheet.disc]
 mesh = { generate = "disc", radius = 0.1, edge_length = 0.05 }
@@ -31,8 +31,8 @@ Runner runner_of(const std::string& text) {
     return {scene, build_scene(scene, warnings)};
 }
 
-/// Records its calls: steps as numbers, frames and the end as words.
-struct Witness : RunObserver {
+/// Notes in `told` how it is called: steps as numbers, frames and the end as words.
+struct CallNotes : RunObserver {
     std::string told;
     std::int64_t last_step = 1000;   ///< step after which it requests an end
     std::int64_t worst_step = 1000;  ///< step in which it throws
@@ -52,7 +52,7 @@ struct Witness : RunObserver {
 
 TEST(Runner, TellsEveryStepAndTheFramesOfTheScene) {
     Runner runner = runner_of(falling);
-    Witness witness;
+    CallNotes witness;
     RunTotals totals;
     runner.add(witness);
     runner.add(totals);
@@ -67,7 +67,7 @@ TEST(Runner, TellsEveryStepAndTheFramesOfTheScene) {
 // Programs that make single steps record them through observers.
 TEST(Runner, TellsFramesOfSingleSteps) {
     Runner runner = runner_of(falling);
-    Witness witness;
+    CallNotes witness;
     runner.add(witness);
     while (!runner.has_ended()) runner.advance();
     EXPECT_TRUE(runner.is_complete());
@@ -76,7 +76,7 @@ TEST(Runner, TellsFramesOfSingleSteps) {
 
 TEST(Runner, EndsWithAFrameWhereAnObserverWantsIt) {
     Runner runner = runner_of(falling);
-    Witness witness;
+    CallNotes witness;
     witness.last_step = 3;
     runner.add(witness);
     EXPECT_EQ(runner.run().how, "interrupted");
@@ -85,7 +85,7 @@ TEST(Runner, EndsWithAFrameWhereAnObserverWantsIt) {
 
 TEST(Runner, TellsAllObserversThatItHasFailed) {
     Runner runner = runner_of(falling);
-    Witness failing, other;
+    CallNotes failing, other;
     failing.worst_step = 2;
     runner.add(other);
     runner.add(failing);
@@ -97,7 +97,7 @@ TEST(Runner, TellsAllObserversThatItHasFailed) {
 TEST(Runner, GoesOnFromWhereSingleStepsHaveLed) {
     Runner whole = runner_of(falling), stepped = runner_of(falling);
     whole.run();
-    Witness witness;
+    CallNotes witness;
     stepped.add(witness);
     for (int i = 0; i < 5; ++i) EXPECT_EQ(stepped.step().step, i + 1);
     EXPECT_TRUE(stepped.run().is_complete());
@@ -107,7 +107,7 @@ TEST(Runner, GoesOnFromWhereSingleStepsHaveLed) {
     EXPECT_TRUE(one.velocity == other.velocity);
 }
 
-// With a wrong axis, cracks along the grain would seem to cross it.
+// If the recorded axis were wrong, cracks along the grain would seem to cross it.
 TEST(RecordingHeader, HasTheAxesOfAMaterialThatHasDirections) {
     const auto header_of = [](const std::string& text) {
         const Scene scene = parse_scene(text, "scene.toml");

@@ -9,8 +9,8 @@
 namespace sherd {
 namespace {
 
-// A factor that is not turned with the sheet does not fit it.
-TEST(VertexTurns, FollowARigidMotion) {
+// A factor that is not turned with the sheet does not fit the turned sheet.
+TEST(VertexRotations, FollowARigidMotion) {
     test::Random random(1);
     const Shell shell = test::tetrahedron(test::rubber);
     const std::vector<Matrix3d> frames = inverse_frames(shell, shell.position);
@@ -20,7 +20,7 @@ TEST(VertexTurns, FollowARigidMotion) {
         EXPECT_LT((turn - rotation).norm(), 1e-12);
 }
 
-TEST(VertexTurns, AreRotationsWhereTheSheetIsStretchedAndSheared) {
+TEST(VertexRotations, AreRotationsWhereTheSheetIsStretchedAndSheared) {
     test::Random random(2);
     const Shell shell = test::two_triangles(test::rubber);
     const std::vector<Matrix3d> frames = inverse_frames(shell, shell.position);
@@ -33,8 +33,8 @@ TEST(VertexTurns, AreRotationsWhereTheSheetIsStretchedAndSheared) {
     }
 }
 
-// Rows of held vertices belong to fixed directions in space.
-TEST(VertexTurns, LeaveWhatIsHeldAlone) {
+// The matrix rows of held vertices belong to fixed directions in space, and must not be turned.
+TEST(VertexRotations, LeaveWhatIsHeldAlone) {
     test::Random random(3);
     Shell shell = test::two_triangles(test::rubber);
     shell.fixed[1] = 1;

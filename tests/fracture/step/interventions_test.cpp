@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Interventions of a program in a simulation between two steps.
+// A program may intervene in a simulation between two steps.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -42,12 +42,12 @@ std::vector<Edge> middle_line(const Simulation& simulation) {
     return edges;
 }
 
-class ByHand : public testing::TestWithParam<Scheme> {};
-INSTANTIATE_TEST_SUITE_P(Schemes, ByHand,
+class Interventions : public testing::TestWithParam<Scheme> {};
+INSTANTIATE_TEST_SUITE_P(Schemes, Interventions,
                          testing::Values(Scheme::implicit_euler, Scheme::bdf2, Scheme::explicit_differences));
 
 // Forces from a program must accelerate the sheet as given.
-TEST_P(ByHand, ForcesAccelerate) {
+TEST_P(Interventions, ForcesAccelerate) {
     Simulation simulation({square()}, options_of(GetParam()));
     const Shell& shell = simulation.shell().mechanics();
     const Vector3d acceleration(3, -1, 2);
@@ -65,7 +65,7 @@ TEST_P(ByHand, ForcesAccelerate) {
     EXPECT_TRUE(simulation.step().linear_momentum.isApprox(before, 1e-9));
 }
 
-TEST_P(ByHand, PinnedVerticesGoAsTheyAreTold) {
+TEST_P(Interventions, PinnedVerticesGoAsTheyAreTold) {
     SheetInput sheet = square();
     sheet.pinned = {0, 1};
     SimulationOptions options = options_of(GetParam());
@@ -93,8 +93,8 @@ TEST_P(ByHand, PinnedVerticesGoAsTheyAreTold) {
               std::string::npos);
 }
 
-// Edges broken by hand must be opened, numbered, recorded and booked like other failures.
-TEST_P(ByHand, EdgesBreakBetweenSteps) {
+// Edges that are broken by hand must be opened, numbered and recorded like other failed edges.
+TEST_P(Interventions, EdgesBreakBetweenSteps) {
     for (const int steps : {0, 2}) {
         Simulation simulation({square()}, options_of(GetParam()));
         for (int i = 0; i < steps; ++i) simulation.step();
@@ -115,7 +115,7 @@ TEST_P(ByHand, EdgesBreakBetweenSteps) {
     }
 }
 
-TEST_P(ByHand, WhatAHingeStoredIsLost) {
+TEST_P(Interventions, WhatAHingeStoredIsLost) {
     Simulation simulation({square()}, options_of(GetParam()));
     const Shell& shell = simulation.shell().mechanics();
     Positions forces = Positions::Zero(3, shell.mass.size());
@@ -130,7 +130,7 @@ TEST_P(ByHand, WhatAHingeStoredIsLost) {
     EXPECT_NEAR(after.unexplained, before.unexplained, 0.05 * after.lost_to_cracks);
 }
 
-TEST(BrokenByHand, WhatCannotFailIsSaid) {
+TEST(BreakingByIntervention, WhatCannotFailIsSaid) {
     Simulation simulation({square()}, options_of(Scheme::implicit_euler));
     std::vector<Edge> line = middle_line(simulation);
     line.push_back(line.front());

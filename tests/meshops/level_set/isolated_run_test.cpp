@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Otherwise a damaged file ends the program, or an intact one is refused.
+// A grid is first read in a process of its own: a damaged file must not end the program, and an intact file
+// must not be refused.
 #include "meshops/level_set/isolated_run.h"
 
 #include <fcntl.h>
@@ -31,7 +32,7 @@ std::string outcome(const std::function<void()>& work, const IsolationLimits& li
     return message_thrown_by([&] { run_isolated(work, limits, crash); });
 }
 
-TEST(Rehearsal, LeavesNothingBehind) {
+TEST(IsolatedRun, LeavesNothingBehind) {
     int changed = 0;
     EXPECT_EQ(outcome([&] { changed = 1; }), "no error");
     EXPECT_EQ(changed, 0);
@@ -40,7 +41,7 @@ TEST(Rehearsal, LeavesNothingBehind) {
     EXPECT_EQ(errno, ECHILD);
 }
 
-TEST(Rehearsal, TellsWhatIsThrown) {
+TEST(IsolatedRun, TellsWhatIsThrown) {
     EXPECT_EQ(outcome([] { throw Error("no grid"); }), "no grid");
     EXPECT_EQ(outcome([] { throw std::runtime_error(""); }), "");
     const std::string much(1'000'000, 'x'), told = outcome([&] { throw std::runtime_error(much); });
@@ -48,26 +49,26 @@ TEST(Rehearsal, TellsWhatIsThrown) {
     EXPECT_EQ(told, much.substr(0, told.size()));
 }
 
-TEST(Rehearsal, ACrashIsAnError) {
+TEST(IsolatedRun, ACrashIsAnError) {
     for (const int signal : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV, SIGKILL})
         EXPECT_EQ(outcome([&] { raise(signal); }), crash) << signal;
     EXPECT_EQ(outcome([] { _exit(0); }), crash);
     EXPECT_EQ(outcome([] { throw 1; }), crash) << "no exception that says anything";
 }
 
-TEST(Rehearsal, LimitsAreErrors) {
+TEST(IsolatedRun, LimitsAreErrors) {
     const auto takes_memory = [] { std::vector<char>(std::size_t(1) << 28, 'x'); };
     EXPECT_EQ(outcome(takes_memory, {.memory = 1 << 29}), "no error");
     const std::string too_much = outcome(takes_memory, {.memory = 1 << 26});
     EXPECT_TRUE(too_much == std::bad_alloc().what() || too_much == crash)
-        << too_much;  // the latter with a sanitizer
+        << too_much;  // a crash with a sanitizer
     const auto takes_time = [] {
         for (volatile bool on = true; on;) continue;
     };
     EXPECT_EQ(outcome(takes_time, {.seconds = 1}), crash);
 }
 
-TEST(Rehearsal, IsSilent) {
+TEST(IsolatedRun, IsSilent) {
     const TemporaryDirectory directory;
     const std::filesystem::path file = directory.write("said", "");
     const int said = open(file.c_str(), O_WRONLY), error_output = dup(STDERR_FILENO);
@@ -88,8 +89,9 @@ std::size_t parallel_sum(std::size_t count) {
     return sum;
 }
 
-// The program would wait forever for TBB threads that no longer exist.
-TEST(Rehearsal, MayUseTbbAsMayWhoCallsIt) {
+// A forked process has none of TBB's threads: the process, or its caller afterwards, must not wait for them
+// for ever.
+TEST(IsolatedRun, MayUseTbbAsMayWhoCallsIt) {
     for (int i = 0; i < 50; ++i) {
         ASSERT_EQ(parallel_sum(10'000), 49'995'000u);
         ASSERT_EQ(outcome([] {
@@ -99,7 +101,7 @@ TEST(Rehearsal, MayUseTbbAsMayWhoCallsIt) {
     }
 }
 
-TEST(Rehearsal, IsLeftOutWhereThreadsOfTbbAreInUse) {
+TEST(IsolatedRun, IsLeftOutWhereThreadsOfTbbAreInUse) {
     tbb::task_arena arena(2);
     arena.initialize();
     EXPECT_EQ(outcome([] { raise(SIGSEGV); }), "no error");

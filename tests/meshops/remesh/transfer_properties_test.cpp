@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Otherwise pins, textures and fibres are at wrong places on a remeshed mesh.
+// If properties were transferred wrongly, pins, textures and fibres would be at wrong places on a remeshed
+// mesh.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -17,8 +18,8 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Square of 20 x 20 cells of 1 m, half of it in group `left`, with its places over 20 as texture
-/// coordinates, which are shifted by 5 from x = 10 on: a seam.
+/// Square of 20 x 20 cells of 1 m, half of it in group `left`. Texture coordinates are the places over 20 m,
+/// and are shifted by 5 from x = 10 m on, where the texture has a seam.
 Mesh two_halves(const std::string& name) {
     const test::TemporaryDirectory directory;
     std::ofstream file(directory.path / name);
@@ -42,7 +43,7 @@ Mesh two_halves(const std::string& name) {
     return read_mesh(directory.path / name, {}, warnings);
 }
 
-TEST(CarriedProperties, TextureAndGroupsChangeAtTheSameLine) {
+TEST(TransferProperties, TextureAndGroupsChangeAtTheSameLine) {
     for (const double edge_length : {0.7, 2.3}) {
         const Remeshed result = remesh(two_halves("halves.obj"), {edge_length});
         EXPECT_FALSE(result.texture_lost);
@@ -63,7 +64,7 @@ TEST(CarriedProperties, TextureAndGroupsChangeAtTheSameLine) {
     }
 }
 
-TEST(CarriedProperties, AxesAreThoseBelow) {
+TEST(TransferProperties, AxesAreThoseBelow) {
     Mesh mesh = two_halves("halves.obj");
     auto axis = add_property(mesh, attribute::axis);
     for (const Face face : mesh.faces())
@@ -77,8 +78,8 @@ TEST(CarriedProperties, AxesAreThoseBelow) {
         }
 }
 
-// Otherwise a painted scan would lose its paint, or get it at wrong places.
-TEST(CarriedProperties, ColoursAreThoseBelow) {
+// A remeshed painted scan must neither lose its paint nor get it at wrong places.
+TEST(TransferProperties, ColoursAreThoseBelow) {
     Mesh mesh = two_halves("halves.obj");
     auto at_vertex = add_property(mesh, attribute::vertex_colour);
     for (const Vertex v : mesh.vertices()) {
@@ -100,8 +101,8 @@ TEST(CarriedProperties, ColoursAreThoseBelow) {
         EXPECT_EQ(face_colour[face][0], centroid(result, face).x() < 10 ? 1 : 4);
 }
 
-// If all seams were kept, nothing could be remeshed.
-TEST(CarriedProperties, ATextureInShredsIsLostAndItSaysSo) {
+// If all seams of a texture in shreds were kept, nothing could be remeshed.
+TEST(TransferProperties, ATextureInShredsIsLostAndItSaysSo) {
     Mesh mesh = two_halves("halves.obj");
     auto texture = find_property(mesh, attribute::texture).first;
     for (const Face face : mesh.faces())

@@ -16,29 +16,24 @@ namespace {
 
 using Bounds = Eigen::AlignedBox3d;
 
-constexpr int moments = 400;    // intervals into which the duration is divided
-constexpr double slack = 0.05;  // share of a sheet's size, for its deformation in flight
-constexpr double throwing = 3;  // speed of the fastest splinter over the largest before
+constexpr int moments = 400;    // number of intervals into which the duration is divided
+constexpr double slack = 0.05;  // share of a sheet's size, added for its deformation in flight
+constexpr double throwing = 3;  // ratio of the fastest splinter's speed to the largest speed before
 constexpr double any_gap = std::numeric_limits<double>::infinity();
 
 /// A sheet or a free body.
 struct Mover {
-    Bounds box;  ///< at the start
+    Bounds box;  ///< bounding box at the start
     Vector3d velocity;
-    double damping;                       ///< 1/s
-    double met = any_gap;                 ///< s, time from which on its direction of motion is arbitrary
-    std::optional<Bounds> met_near = {};  ///< box at this time
-};
-
-/// A fixed or moving obstacle, and the least distance of anything from it.
-struct Target {
-    const Obstacle* obstacle;
-    double gap = any_gap;  ///< m
+    double damping;                       ///< 1/s, rate at which the velocity decays
+    double met = any_gap;                 ///< s, time from which on it may move in any direction; infinite:
+                                          ///< never
+    std::optional<Bounds> met_near = {};  ///< bounding box at the time `met`
 };
 
 struct Flight {
     Vector3d gravity;
-    double top_speed;  ///< m/s, largest in the scene
+    double top_speed;  ///< m/s, largest speed in the scene
 };
 
 Bounds around(const Vector3d& centre, double radius) {
@@ -78,13 +73,13 @@ Bounds box_at(const Obstacle& obstacle, double time) {
     return {points.rowwise().minCoeff(), points.rowwise().maxCoeff()};
 }
 
-/// Bounds around an obstacle during an interval, from its ends.
+/// Returns a box that contains an obstacle at the beginning and at the end of a time interval (s).
 Bounds swept(const Obstacle& obstacle, double from, double to) {
     return box_at(obstacle, from).merged(box_at(obstacle, to));
 }
 
-/// Gap, m, between a box and an obstacle; at most 0 where they may meet. around: box around the obstacle in
-/// this interval.
+/// Returns the gap, m, between a box and an obstacle in a time interval (s); at most 0 if they may meet.
+/// around: swept() of the obstacle.
 double gap(const Bounds& box, const Obstacle& obstacle, const Bounds& around, double from, double to) {
     if (const auto* plane = dynamic_cast<const PlaneShape*>(obstacle.shape.get())) {
         double least = any_gap;
@@ -100,7 +95,7 @@ double gap(const Bounds& box, const Obstacle& obstacle, const Bounds& around, do
     return box.exteriorDistance(around);
 }
 
-/// Largest speed, m/s, of the corners of a box that moves with `motion`.
+/// Returns the largest speed, m/s, of the corners of a box that moves with `motion`. duration: s.
 double top_speed(const Motion& motion, const Bounds& box, double duration) {
     if (motion.keys.empty()) return 0;
     double fastest = 0;
@@ -114,7 +109,7 @@ double top_speed(const Motion& motion, const Bounds& box, double duration) {
     return fastest;
 }
 
-/// Largest speed, m/s, of the points of a deforming obstacle.
+/// Returns the largest speed, m/s, of the points of a deforming obstacle. duration: s.
 double top_speed(const Obstacle& obstacle, double duration) {
     double fastest = 0;
     const double interval = duration / moments;
@@ -175,7 +170,8 @@ double fastest_of(const Scene& scene, const std::vector<SheetInput>& inputs, con
     return fastest;
 }
 
-/// Least gap, m, of each obstacle and then each body to all sheets and all other bodies.
+/// Returns, for each obstacle and then for each free body, the least gap (m) to any sheet and any other body.
+/// sheets: number of sheets, which are the first movers; duration: s.
 std::vector<double> gaps(const std::vector<Obstacle>& obstacles, std::size_t sheets,
                          std::vector<Mover> movers, const Flight& flight, double duration) {
     std::vector<double> of_obstacles(obstacles.size(), any_gap), of_movers(movers.size(), any_gap);
