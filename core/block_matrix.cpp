@@ -10,6 +10,8 @@ namespace sherd {
 BlockMatrix::BlockMatrix(Index vertices, const std::vector<std::pair<Index, Index>>& pairs,
                          std::vector<char> fixed, std::vector<char> guide, std::vector<Matrix3d> guides)
     : fixed(std::move(fixed)), guide(std::move(guide)), guides(std::move(guides)) {
+    this->fixed.resize(vertices, 0);
+    if (!this->guide.empty()) this->guide.resize(vertices, 0);
     find_blocks(vertices, pairs);
     column_start.reserve(3 * static_cast<std::size_t>(vertices) + 1);
     row.reserve(6 * static_cast<std::size_t>(vertices) + 9 * block_row.size());
@@ -32,10 +34,13 @@ BlockMatrix BlockMatrix::part(std::span<const Index> some, Index vertices,
                               const std::vector<Matrix3d>& guides) {
     std::vector<Index> number(vertices, -1);
     std::vector<char> fixed_here, guide_here;
+    const auto flag = [](const std::vector<char>& flags, Index vertex) {
+        return static_cast<std::size_t>(vertex) < flags.size() ? flags[vertex] : char{0};
+    };
     for (const Index vertex : some) {
         number[vertex] = static_cast<Index>(fixed_here.size());
-        fixed_here.push_back(fixed[vertex]);
-        if (!guides.empty()) guide_here.push_back(guide[vertex]);
+        fixed_here.push_back(flag(fixed, vertex));
+        if (!guides.empty()) guide_here.push_back(flag(guide, vertex));
     }
     std::vector<std::pair<Index, Index>> here;
     for (const auto& [i, j] : pairs)

@@ -18,8 +18,8 @@ namespace sherd {
 class BlockMatrix {
   public:
     /// Zero matrix of `vertices` block rows with the blocks `pairs` (in any order, from either triangle,
-    /// repeated or not) and all diagonal blocks. Rows and columns of `fixed` vertices (one flag for each
-    /// vertex) stay those of the identity.
+    /// repeated or not) and all diagonal blocks. Rows and columns of `fixed` vertices stay those of the
+    /// identity. `fixed` and `guide` may be shorter than the matrix, whose last vertices are then free.
     /// A vertex with guide[v] = k > 0 is restricted by the projection P = guides[k - 1]: its rows and columns
     /// are projected, and are those of the identity in the directions that P removes.
     BlockMatrix(Index vertices, const std::vector<std::pair<Index, Index>>& pairs, std::vector<char> fixed,

@@ -18,8 +18,8 @@ enum class Curvature {
     convex  ///< a positive semidefinite approximation, with which every step is a descent
 };
 
-/// A potential energy of the vertex positions. Between calls of begin(), topology_changed() and moved_to(),
-/// its results depend on the positions alone and not on earlier calls.
+/// A potential energy of the vertex positions. Between calls of begin() and topology_changed(), its results
+/// depend on the positions alone and not on earlier calls.
 struct Energy {
     virtual ~Energy() = default;
     /// Prepares for a step, which begins at the shell's positions and velocities.
@@ -27,8 +27,9 @@ struct Energy {
     /// Must be called when the shell has other vertices, hinges or crack faces; the open step
     /// continues.
     virtual void topology_changed(const ShellChange& /*change*/, const StepContext& step) { begin(step); }
-    /// Must be called when the minimiser has moved to the iterate x, from which it continues.
-    virtual void moved_to(const Positions& /*x*/) {}
+    /// Whether the free bodies' columns (BodyColumns) follow those of the V vertices in x, and in what is
+    /// added to by the functions below.
+    virtual bool has_bodies() const { return false; }
 
     /// Energy, J. x: [3, V] m.
     virtual double value(const Positions& x) const = 0;

@@ -12,10 +12,6 @@ void ElasticEnergy::topology_changed(const ShellChange& change, const StepContex
     batches.shell_changed();
 }
 
-void ElasticEnergy::moved_to(const Positions& x) {
-    for (Energy* part : parts) part->moved_to(x);
-}
-
 double ElasticEnergy::value(const Positions& x) const {
     double sum = 0;
     for (const Energy* part : parts) sum += part->value(x);

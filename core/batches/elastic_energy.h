@@ -17,7 +17,6 @@ class ElasticEnergy : public Energy {
 
     void begin(const StepContext& step) override;
     void topology_changed(const ShellChange& change, const StepContext& step) override;
-    void moved_to(const Positions& x) override;
     double value(const Positions& x) const override;
     double round_off() const override;
     void add_gradient(const Positions& x, Positions& gradient) const override;

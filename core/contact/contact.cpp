@@ -9,8 +9,10 @@ Contact::Contact(const Shell& shell, ContactOptions given, const ContactStart& s
                  const Threads& threads)
     : shell(shell), options(std::move(given)), crack_faces(shell.crack_faces) {
     const std::vector<Obstacle>& obstacles = options.obstacles;
-    if (!start.bodies.empty())
+    if (!start.bodies.empty()) {
         body_contact = std::make_unique<BodyContact>(shell, start.bodies, obstacles, gravity, start.crossed);
+        body_inertia = std::make_unique<BodyInertia>(*body_contact);
+    }
     for (const Obstacle& obstacle : obstacles)
         obstacle_contact.push_back(
             std::make_unique<ObstacleContact>(shell, obstacle, obstacle_contact.size()));
@@ -23,11 +25,17 @@ Contact::Contact(const Shell& shell, ContactOptions given, const ContactStart& s
 
 std::vector<Energy*> Contact::energies() {
     std::vector<Energy*> all;
-    if (body_contact) all.push_back(body_contact.get());
+    if (body_contact) all.insert(all.end(), {body_contact.get(), body_inertia.get()});
     for (const auto& contact : obstacle_contact) all.push_back(contact.get());
     if (sheet_contact) all.push_back(sheet_contact.get());
     if (options.sheets) all.push_back(&crack_faces);
     return all;
+}
+
+std::vector<double> Contact::body_masses() const {
+    std::vector<double> masses;
+    for (const RigidBody& body : bodies()) masses.push_back(body.mass);
+    return masses;
 }
 
 std::vector<Energy*> Contact::frictions() {
@@ -39,12 +47,14 @@ std::optional<std::string> Contact::overlap() const {
     return sheet_contact ? sheet_contact->overlap(shell.position) : std::nullopt;
 }
 
-double Contact::free_fraction(const Positions& motion) {
+double Contact::free_fraction(const Positions& motion) const {
     double fraction = sheet_contact ? sheet_contact->safe_fraction_of_step(shell.position, motion) : 1;
     if (!body_contact) return fraction;
     if (body_contact->blocked()) return 0;
-    body_contact->moved_to(shell.position);
-    return std::min(fraction, body_contact->safe_fraction(shell.position, motion));
+    const Positions from = body_contact->with_bodies(shell.position);
+    Positions all = Positions::Zero(3, from.cols());
+    all.leftCols(motion.cols()) = motion;
+    return std::min(fraction, body_contact->safe_fraction(from, all));
 }
 
 Positions Contact::push_displacement() const {
@@ -52,8 +62,28 @@ Positions Contact::push_displacement() const {
     return sheet_contact->push_displacement(shell.position);
 }
 
-void Contact::end_at(const Positions& x) {
-    if (body_contact) body_contact->end_at(x);
+void Contact::place_bodies(const Positions& unknowns) {
+    if (body_contact) body_contact->place(unknowns.rightCols(body_contact->place().cols()));
+}
+
+void Contact::predict_bodies(const Positions& x) {
+    if (body_contact) body_contact->predict(x);
+}
+
+void Contact::add_gradient(const Positions& x, Positions& gradient) {
+    if (body_contact) {
+        const Positions all = with_bodies(x);
+        Positions of_all = Positions::Zero(3, all.cols());
+        body_contact->add_gradient(all, of_all);
+        gradient += of_all.leftCols(x.cols());
+    }
+    for (const std::vector<Energy*>& some : {energies(), frictions()})
+        for (const Energy* energy : some)
+            if (!energy->has_bodies()) energy->add_gradient(x, gradient);
+}
+
+void Contact::end_step() {
+    if (body_contact) body_contact->end_step();
 }
 
 bool Contact::passes(const StepContext& step, const Positions& x) const {
@@ -109,7 +139,7 @@ double Contact::obstacle_work(const StepContext& step, const Positions& x) const
     for (std::size_t o = 0; o < all.size(); ++o)
         if (obstacles[o].moves() && obstacles[o].deformation == nullptr)
             sum += work(all[o], obstacles[o].motion.at(step.begin), obstacles[o].motion.at(step.end()));
-    if (body_contact) sum += body_contact->work_of_deforming(x);
+    if (body_contact) sum += body_contact->work_of_deforming();
     if (sheet_contact) sum += sheet_contact->work_of_deforming(x);
     if (sheet_friction) sum += sheet_friction->work_of_deforming(x);
     return sum;
@@ -118,7 +148,7 @@ double Contact::obstacle_work(const StepContext& step, const Positions& x) const
 std::vector<Reaction> Contact::reactions(const Positions& x) const {
     std::vector<Reaction> all(options.obstacles.size());
     for (std::size_t o = 0; o < all.size(); ++o) obstacle_contact[o]->add_reaction(x, all[o]);
-    if (body_contact) body_contact->add_reactions(x, all);
+    if (body_contact) body_contact->add_reactions(all);
     if (sheet_contact) sheet_contact->add_reactions(x, all);
     if (sheet_friction) sheet_friction->add_reactions(x, all);
     return all;

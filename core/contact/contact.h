@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "core/contact/bodies/body_contact.h"
+#include "core/contact/bodies/body_inertia.h"
 #include "core/contact/contact_options.h"
 #include "core/contact/crack_faces/crack_face.h"
 #include "core/contact/penalty/obstacle_contact.h"
@@ -25,8 +25,10 @@ class Contact {
             const Threads& threads);
     Contact(const Contact&) = delete;  // energies refer to its obstacles
 
-    /// The contact energies, in the order in which they begin a step and are summed.
+    /// The contact energies and the inertia of bodies, in the order in which they begin a step and are
+    /// summed.
     std::vector<Energy*> energies();
+    std::vector<double> body_masses() const;  ///< kg
     /// The friction energies between sheets, which begin a step after all others.
     std::vector<Energy*> frictions();
 
@@ -35,18 +37,26 @@ class Contact {
     /// A message if sheets overlap at the beginning of the step; else nothing.
     std::optional<std::string> overlap() const;
     /// Fraction, 0 to 1, of a motion [3, V] m from the beginning of the step that is free of collisions,
-    /// while obstacles move to their poses at its end.
-    double free_fraction(const Positions& motion);
+    /// while obstacles move to their poses at its end, and bodies rest where these have moved them.
+    double free_fraction(const Positions& motion) const;
     /// Displacement in the step, m, [3, V], by which moving obstacles push the vertices near them; zero for
     /// other vertices.
     Positions push_displacement() const;
-    /// Moves the bodies to the end of the step, with the shell at x; the step stays open.
-    void end_at(const Positions& x);
-    /// Whether the optimal poses of the bodies have been found for the shell at x; if not, the step is too
-    /// long.
-    bool bodies_have_optimal_poses(const Positions& x) const {
-        return !body_contact || body_contact->have_optimal_poses(x);
+    /// The unknowns of the open step (see Potential), with the shell at x [3, V] and the bodies where they
+    /// have been placed.
+    Positions with_bodies(const Positions& x) const {
+        return body_contact ? body_contact->with_bodies(x) : x;
     }
+    /// Places the bodies as the last columns of the unknowns say.
+    void place_bodies(const Positions& unknowns);
+    /// Moves the bodies to their inertial predictions, or as far as the way there is free of the shell, which
+    /// is at x [3, V].
+    void predict_bodies(const Positions& x);
+    /// Adds dE/dx, N, of all contact and friction to the gradient, [3, V], with the bodies where they have
+    /// been placed.
+    void add_gradient(const Positions& x, Positions& gradient);
+    /// Moves the bodies to the end of the step, which stays open.
+    void end_step();
     /// Whether sheets, obstacles or bodies pass through each other in the step that ends with the shell at x.
     /// The shell moves straight, obstacles by their motion, bodies along their screws. The iterates of a
     /// minimiser may have gone around a rim.
@@ -71,8 +81,8 @@ class Contact {
     Positions crack_face_forces(const Positions& x) const;  ///< N, [3, V], between crack faces
     double crack_face_overlap(const Positions& x) const { return crack_faces.largest_overlap(x); }  ///< m
     void visit_state(StateVisitor& visit) {
-        auto& [shell, options, body_contact, obstacle_contact, sheet_contact, sheet_friction, crack_faces] =
-            *this;
+        auto& [shell, options, body_contact, body_inertia, obstacle_contact, sheet_contact, sheet_friction,
+               crack_faces] = *this;
         visit(body_contact, obstacle_contact, sheet_contact, sheet_friction, crack_faces);
     }
 
@@ -80,6 +90,7 @@ class Contact {
     const Shell& shell;
     const ContactOptions options;
     std::unique_ptr<BodyContact> body_contact;  ///< null if there are no bodies
+    std::unique_ptr<BodyInertia> body_inertia;  ///< null without body_contact
     std::vector<std::unique_ptr<ObstacleContact>> obstacle_contact;
     /// Null if sheets do not collide with each other and no obstacle has a surface.
     std::unique_ptr<SheetContact> sheet_contact;

@@ -20,8 +20,8 @@ void join(std::vector<Index>& link, Index one, Index other) {
 
 }  // namespace
 
-Pieces pieces(const Shell& shell, const std::vector<std::pair<Index, Index>>& links) {
-    std::vector<Index> link(shell.mass.size());
+Pieces pieces(const Shell& shell, const std::vector<std::pair<Index, Index>>& links, Index others) {
+    std::vector<Index> link(shell.mass.size() + others);
     std::iota(link.begin(), link.end(), 0);
     for (const TriangleStencil& triangle : shell.triangles)
         for (int i = 1; i < 3; ++i) join(link, triangle.vertices[0], triangle.vertices[i]);

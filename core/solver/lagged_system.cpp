@@ -31,18 +31,19 @@ void grow(const Shell& shell, std::vector<char>& flags) {
             for (const Index vertex : triangle.vertices) flags[vertex] = 1;
 }
 
-/// Inertia and mass damping of each vertex's piece, N/m, [V]: the only resistance of a loose piece to a rigid
-/// motion, and small beside the elastic stiffness of a small piece. 0 where pins or guides hold the piece.
+/// Inertia and mass damping of each vertex's piece, N/m, [N]: the only resistance of a loose piece to a rigid
+/// motion, and small beside the elastic stiffness of a small piece. 0 where pins or guides hold the piece,
+/// and for bodies, whose diagonal blocks have no elastic stiffness.
 VectorXd inertia_of_pieces(const Potential& potential) {
     const Shell& shell = potential.mechanics();
     const Pieces all = pieces(shell);
-    VectorXd mass = VectorXd::Zero(all.count), result(shell.mass.size());
-    for (Index v = 0; v < static_cast<Index>(result.size()); ++v) mass[all.of_vertex[v]] += shell.mass[v];
-    for (Index v = 0; v < static_cast<Index>(result.size()); ++v)
+    const auto vertices = static_cast<Index>(shell.mass.size());
+    VectorXd mass = VectorXd::Zero(all.count), result = VectorXd::Zero(vertices + potential.body_columns());
+    for (Index v = 0; v < vertices; ++v) mass[all.of_vertex[v]] += shell.mass[v];
+    for (Index v = 0; v < vertices; ++v)
         if (shell.fixed[v] || shell.guide[v]) mass[all.of_vertex[v]] = 0;
     const double hessian_per_mass = potential.hessian_per_mass();
-    for (Index v = 0; v < static_cast<Index>(result.size()); ++v)
-        result[v] = hessian_per_mass * mass[all.of_vertex[v]];
+    for (Index v = 0; v < vertices; ++v) result[v] = hessian_per_mass * mass[all.of_vertex[v]];
     return result;
 }
 
@@ -78,6 +79,7 @@ void LaggedSystem::reset(Positions x) {
 
 void LaggedSystem::turn(const Potential& potential, const Positions& x) {
     rotations = vertex_rotations(potential.mechanics(), frames, x);
+    rotations.resize(x.cols(), Matrix3d::Identity());
     of_piece = inertia_of_pieces(potential);
     reset();
 }
@@ -163,19 +165,22 @@ Positions LaggedSystem::solve(const Potential& potential, const Positions& right
     return motion;
 }
 
-void LaggedSystem::topology_changed(const ShellChange& change) {
+void LaggedSystem::topology_changed(const ShellChange& change, Index body_columns) {
     outdated = true;
     system.follow(change);
     graph = {};
     if (change.remeshes()) sources.clear();
     if (!has_factor()) return;
+    const auto insert = [&](auto& of_columns, auto value) {
+        of_columns.insert(of_columns.end() - body_columns, value);
+    };
     for (const IndexWithParents& inserted : change.vertices) {
         if (inserted.parents.empty()) return sources.clear();
         const Index parent = inserted.parents.front().element;
-        sources.push_back(sources[parent]);
-        in_factor.push_back(in_factor[parent]);
+        insert(sources, sources[parent]);
+        insert(in_factor, in_factor[parent]);
         cracked[parent] = 1;
-        cracked.push_back(1);
+        insert(cracked, char{1});
     }
     reset();
     rotations.clear();

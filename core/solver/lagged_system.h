@@ -12,6 +12,7 @@ namespace sherd {
 
 /// Factor of an earlier Hessian as an approximate inverse of the present one. The rows of each vertex are
 /// rotated as the sheet around it has rotated since; vertices inserted since share the rows of their parent.
+/// The columns of bodies (see Potential) count as vertices that do not rotate.
 /// Where contacts have begun or ended and around new cracks, a patch with the present Hessian corrects the
 /// solution, before and after (symmetric multiplicative Schwarz: Smith, Bjorstad, Gropp, Domain
 /// Decomposition, 1996). Where a contact alternates from one iteration to the next, the patch has half of it.
@@ -33,11 +34,11 @@ class LaggedSystem {
     enum class Fit { fits, patched, needs_factor };
     /// Compares the system with the contacts at x, and builds a patch where it does not fit them.
     Fit fit(const Potential& potential, const Positions& x);
-    /// Solves with the factor. right_side: N, [3, V].
+    /// Solves with the factor. right_side: N, [3, N].
     Positions solve(const Potential& potential, const Positions& right_side);
     /// Must be called when the shell has changed. Inserted vertices share their parent's rows; if triangles
-    /// have changed, the factor is dropped.
-    void topology_changed(const ShellChange& change);
+    /// have changed, the factor is dropped. body_columns: see Potential.
+    void topology_changed(const ShellChange& change, Index body_columns);
     void visit_state(StateVisitor& visit);
 
   private:

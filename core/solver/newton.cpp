@@ -50,7 +50,6 @@ MinimiserResult Newton::minimise(Potential& potential, int max_iterations, Posit
         ++result.iterations;
         const Positions direction = system.solve(potential, -gradient);
         result.correction = direction.cwiseAbs().maxCoeff();
-        potential.moved_to(x);
         const bool moved = line_search(potential, direction, gradient.cwiseProduct(direction).sum(), x);
         result.converged = result.correction <= tolerance;
         if (result.converged || !moved) return result;

@@ -21,21 +21,33 @@ constexpr double few_left = 0.5, many_pairs = 0.02;
 /// Largest cost of a factorization in a kept elimination order, over its cost when the order was chosen.
 constexpr double most_growth = 1.1;
 
+/// An elimination order with further vertices (see with_children()), which come before the columns of bodies.
+std::vector<Index> with_inserted(const std::vector<Index>& order, std::vector<Index> parents, Index bodies) {
+    const auto vertices = static_cast<Index>(order.size()) - bodies,
+               inserted = static_cast<Index>(parents.size());
+    for (Index& parent : parents)
+        if (parent >= vertices) parent += bodies;
+    std::vector<Index> all = with_children(order, parents);
+    for (Index& column : all)
+        if (column >= vertices) column += column < vertices + bodies ? inserted : -bodies;
+    return all;
+}
+
 }  // namespace
 
 void NewtonSystem::analyze(const Potential& potential, const Positions& x) {
     matrix = potential.hessian_pattern(x);
     contact_pairs = potential.contacts(x).size();
     const Stopwatch watch(potential.time_spent(), Task::analysis);
-    if (cost_of_own > 0 && keeps_order()) return;
+    if (cost_of_own > 0 && keeps_order(potential.body_columns())) return;
     parents.clear();
     order.clear();
     solver->analyze(*matrix, order);
     cost_of_own = solver->cost().factorization;
 }
 
-bool NewtonSystem::keeps_order() {
-    std::vector<Index> kept = with_children(solver->order(), parents);
+bool NewtonSystem::keeps_order(Index body_columns) {
+    std::vector<Index> kept = with_inserted(solver->order(), parents, body_columns);
     if (static_cast<int>(kept.size()) != matrix->size() / 3) return false;
     solver->analyze(*matrix, kept);
     if (solver->cost().factorization > most_growth * cost_of_own) return false;

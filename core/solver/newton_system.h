@@ -47,8 +47,8 @@ class NewtonSystem {
   private:
     void analyze(const Potential& potential, const Positions& x);
     /// Keeps the elimination order, with the vertices inserted since. Returns false if a factorization would
-    /// take much longer.
-    bool keeps_order();
+    /// take much longer. body_columns: see Potential.
+    bool keeps_order(Index body_columns);
     /// Rebuilds the pattern if blocks are missing, or most blocks of contacts are unused.
     void fit_pattern(const Potential& potential, const Positions& x);
     /// Factors the Hessian with the weight shares_of_convex[share] of the convex one. Returns whether the

@@ -15,6 +15,13 @@ void Potential::each(const Action& action) const {
     }
 }
 
+template <class Action>
+void Potential::each(const Positions& x, const Action& action) const {
+    if (body_masses.empty()) return each([&](Energy& energy) { action(energy, x); });
+    const Positions of_shell = x.leftCols(shell.mass.size());
+    each([&](Energy& energy) { action(energy, energy.has_bodies() ? x : of_shell); });
+}
+
 void Potential::begin(const StepContext& step) {
     each([&](Energy& energy) { energy.begin(step); });
 }
@@ -23,13 +30,9 @@ void Potential::topology_changed(const ShellChange& change, const StepContext& s
     each([&](Energy& energy) { energy.topology_changed(change, step); });
 }
 
-void Potential::moved_to(const Positions& x) {
-    each([&](Energy& energy) { energy.moved_to(x); });
-}
-
 double Potential::value(const Positions& x) const {
     double sum = 0;
-    each([&](const Energy& energy) { sum += energy.value(x); });
+    each(x, [&](const Energy& energy, const Positions& own) { sum += energy.value(own); });
     return sum;
 }
 
@@ -52,17 +55,31 @@ Positions Potential::gradient(const Positions& x) const {
 }
 
 Positions Potential::gradient_with_blocked(const Positions& x) const {
-    Positions sum = Positions::Zero(3, x.cols());
-    each([&](const Energy& energy) { energy.add_gradient(x, sum); });
-    return sum;
+    return sum_of_gradients(x, false);
 }
 
 Positions Potential::contact_gradient(const Positions& x) const {
-    Positions sum = Positions::Zero(3, x.cols());
-    each([&](const Energy& energy) {
-        if (energy.task() == Task::contact) energy.add_gradient(x, sum);
+    return sum_of_gradients(x, true);
+}
+
+Positions Potential::sum_of_gradients(const Positions& x, bool of_contact) const {
+    Positions sum = Positions::Zero(3, shell.mass.size()), with_bodies;
+    if (!body_masses.empty()) with_bodies = Positions::Zero(3, x.cols());
+    each(x, [&](const Energy& energy, const Positions& own) {
+        if (!of_contact || energy.task() == Task::contact)
+            energy.add_gradient(own, energy.has_bodies() ? with_bodies : sum);
     });
-    return sum;
+    if (body_masses.empty()) return sum;
+    with_bodies.leftCols(sum.cols()) += sum;
+    return with_bodies;
+}
+
+VectorXd Potential::masses() const {
+    VectorXd all(shell.mass.size() + body_columns());
+    all.head(shell.mass.size()) = shell.mass;
+    for (std::size_t b = 0; b < body_masses.size(); ++b)
+        all.segment<2>(shell.mass.size() + static_cast<Eigen::Index>(2 * b)) << body_masses[b], 0;
+    return all;
 }
 
 std::vector<std::pair<Index, Index>> Potential::pattern() const {
@@ -73,8 +90,8 @@ std::vector<std::pair<Index, Index>> Potential::pattern() const {
 
 BlockMatrix Potential::hessian_pattern(const Positions& x) const {
     std::vector<std::pair<Index, Index>> pairs = pattern();
-    each([&](const Energy& energy) { energy.add_contacts(x, true, pairs); });
-    return BlockMatrix(static_cast<Index>(shell.mass.size()), pairs, shell.fixed, shell.guide, shell.guides);
+    each(x, [&](const Energy& energy, const Positions& own) { energy.add_contacts(own, true, pairs); });
+    return BlockMatrix(static_cast<Index>(x.cols()), pairs, shell.fixed, shell.guide, shell.guides);
 }
 
 std::vector<Matrix3d> Potential::contact_stiffness(const Positions& x) const {
@@ -87,27 +104,30 @@ std::vector<Matrix3d> Potential::contact_stiffness(const Positions& x) const {
 
 std::vector<std::pair<Index, Index>> Potential::contacts(const Positions& x) const {
     std::vector<std::pair<Index, Index>> pairs;
-    each([&](const Energy& energy) { energy.add_contacts(x, false, pairs); });
+    each(x, [&](const Energy& energy, const Positions& own) { energy.add_contacts(own, false, pairs); });
     return pairs;
 }
 
 double Potential::safe_fraction(const Positions& x, const Positions& motion) const {
     double fraction = 1;
-    each([&](const Energy& energy) { fraction = std::min(fraction, energy.safe_fraction(x, motion)); });
+    const Positions of_shell = motion.leftCols(shell.mass.size());
+    each(x, [&](const Energy& energy, const Positions& own) {
+        fraction = std::min(fraction, energy.safe_fraction(own, energy.has_bodies() ? motion : of_shell));
+    });
     return fraction;
 }
 
 void Potential::hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const {
     hessian.set_zero();
     hessian.share_among(threads);
-    each([&](const Energy& energy) { energy.add_hessian(x, curvature, hessian); });
+    each(x, [&](const Energy& energy, const Positions& own) { energy.add_hessian(own, curvature, hessian); });
 }
 
 void Potential::contact_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const {
     hessian.set_zero();
     hessian.share_among(threads);
-    each([&](const Energy& energy) {
-        if (energy.task() == Task::contact) energy.add_hessian(x, curvature, hessian);
+    each(x, [&](const Energy& energy, const Positions& own) {
+        if (energy.task() == Task::contact) energy.add_hessian(own, curvature, hessian);
     });
 }
 

@@ -14,27 +14,29 @@ namespace {
 
 constexpr double outer_force = 1e-9;  // share of all contact forces, below which an outer force is round-off
 
-/// Changes the last correction of a step so that each loose piece, or pieces in contact with each other
-/// together, keep their linear momentum, less the loss by mass damping; an approximate inverse Hessian does
-/// not keep it. Pieces that are held, or touch an obstacle or a body, or would move by more than `tolerance`
-/// (m), are left as they are. gradient: N, at x.
+/// Changes the last correction of a step so that each loose piece or body, or pieces and bodies in contact
+/// with each other together, keep their linear momentum, less the loss by mass damping; an approximate
+/// inverse Hessian does not keep it. Pieces that are held, or touch an obstacle, or would move by more than
+/// `tolerance` (m), are left as they are. gradient: N, at x.
 void conserve_momentum(const Potential& potential, const Positions& x, const Positions& gradient,
                        double tolerance, Positions& correction) {
     const double hessian_per_mass = potential.hessian_per_mass();
     if (hessian_per_mass == 0) return;
     const Shell& shell = potential.mechanics();
-    const Pieces all = pieces(shell, potential.contacts(x));
+    const Pieces all = pieces(shell, potential.contacts(x), potential.body_columns());
     const Positions contact = potential.contact_gradient(x);
+    const VectorXd masses = potential.masses();
     std::vector<char> is_held(all.count, 0);
     VectorXd mass = VectorXd::Zero(all.count), touch = mass;
     Positions lacking = Positions::Zero(3, all.count), outer = lacking;
     for (Index v = 0; v < static_cast<Index>(x.cols()); ++v) {
+        if (masses[v] == 0) continue;
         const Index piece = all.of_vertex[v];
-        if (shell.fixed[v] || shell.guide[v]) is_held[piece] = 1;
-        mass[piece] += shell.mass[v];
+        if (v < shell.mass.size() && (shell.fixed[v] || shell.guide[v])) is_held[piece] = 1;
+        mass[piece] += masses[v];
         touch[piece] += contact.col(v).norm();
         outer.col(piece) += contact.col(v);
-        lacking.col(piece) -= gradient.col(v) / hessian_per_mass + shell.mass[v] * correction.col(v);
+        lacking.col(piece) -= gradient.col(v) / hessian_per_mass + masses[v] * correction.col(v);
     }
     const Positions shift = lacking * mass.cwiseInverse().asDiagonal();
     for (Index piece = 0; piece < all.count; ++piece)
@@ -42,7 +44,7 @@ void conserve_momentum(const Potential& potential, const Positions& x, const Pos
             !(shift.col(piece).cwiseAbs().maxCoeff() <= tolerance))
             is_held[piece] = 1;
     for (Index v = 0; v < static_cast<Index>(x.cols()); ++v)
-        if (!is_held[all.of_vertex[v]]) correction.col(v) += shift.col(all.of_vertex[v]);
+        if (masses[v] > 0 && !is_held[all.of_vertex[v]]) correction.col(v) += shift.col(all.of_vertex[v]);
 }
 
 /// Iterations that take about as long as one of Newton's method.
@@ -111,8 +113,8 @@ double between(const Place& near, const Place& far, const Place& farther, double
 
 }  // namespace
 
-void QuasiNewton::topology_changed(const ShellChange& change, const Potential&, const Positions&) {
-    system.topology_changed(change);
+void QuasiNewton::topology_changed(const ShellChange& change, const Potential& potential, const Positions&) {
+    system.topology_changed(change, potential.body_columns());
     fresh_searches = 0;  // a crack does not move the sheet
 }
 
@@ -266,7 +268,6 @@ MinimiserResult QuasiNewton::minimise(Potential& potential, int max_iterations, 
         const bool is_near = left(direction, search) <= may_be_left * tolerance;
         result.converged |= is_near;
         if (result.converged) conserve_momentum(potential, x, search.gradient, tolerance, direction);
-        potential.moved_to(x);
         const bool was_exact = search.exact;
         const double force = search.gradient.cwiseAbs().maxCoeff();
         if (slope < 0 && advance(potential, direction, slope, x, search)) {

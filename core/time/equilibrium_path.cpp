@@ -93,7 +93,6 @@ MinimiserResult EquilibriumPath::solve(Potential& potential, std::span<Energy* c
         if (!at_last_load &&
             !correct(x - shell.position, to_equilibrium, tangent(potential, loads, step, x), correction))
             break;
-        potential.moved_to(x);
         const double scale_of_motion = potential.safe_fraction(x, correction.motion);
         x += scale_of_motion * correction.motion;
         if (!at_last_load) set_load(step.load + scale_of_motion * correction.load, loads, step);

@@ -36,7 +36,7 @@ ImplicitStepper::ImplicitStepper(Shell& shell, const StepperOptions& options, St
       threads(options.threads),
       elastic(shell, forces, options.shell, threads),
       contact(shell, options.contact, start.contact, options.gravity, threads),
-      potential(shell, all_energies(), spent, threads),
+      potential(shell, all_energies(), spent, threads, contact.body_masses()),
       minimiser(minimiser_of(options, threads)) {
     step = scheme->begin(shell, contact.bodies(), time, options.step);
     if (options.arc_length) path.emplace(shell, options.tolerance, options.last_load);
@@ -78,17 +78,23 @@ StepResult ImplicitStepper::begin(double length) {
 bool ImplicitStepper::predict() {
     const Positions motion = inertia.predicted() - shell.position;
     position = inertia.predicted();
-    if (free_fraction(motion) == 1) return true;
-    // Vertices and obstacles with prescribed motion have to arrive, so they move first, if necessary together
-    // with the vertices that they push. The others follow until contact stops them.
+    if (free_fraction(motion) < 1 && !predict_in_two(motion)) return false;
+    if (contact.empty()) return true;
+    const Stopwatch watch(spent, Task::contact);
+    contact.predict_bodies(position);
+    return true;
+}
+
+bool ImplicitStepper::predict_in_two(const Positions& motion) {
     const Positions scripted = scripted_part(shell, motion);
     for (const bool along : {false, true}) {
         const Positions first = along ? scripted + push_displacement() : scripted;
         if (free_fraction(first) < 1) continue;
-        const Positions others = motion - first;
         position = shell.position + first;
-        potential.moved_to(position);
-        position += potential.safe_fraction(position, others) * others;
+        const Positions from = contact.with_bodies(position);
+        Positions others = Positions::Zero(3, from.cols());
+        others.leftCols(motion.cols()) = motion - first;
+        position = (from + potential.safe_fraction(from, others) * others).leftCols(motion.cols());
         return true;
     }
     return false;
@@ -117,10 +123,7 @@ StepResult ImplicitStepper::solve(int max_iterations) {
     StepResult result = minimise(max_iterations);
     if (result && !contact.empty()) {
         const Stopwatch of_contact(spent, Task::contact);
-        if (contact.passes(step, position))
-            result.outcome = Outcome::passage;
-        else if (!contact.bodies_have_optimal_poses(position))
-            result.outcome = Outcome::too_long;
+        if (contact.passes(step, position)) result.outcome = Outcome::passage;
     }
     ledger.solved(stored());
     opening.solved(position);
@@ -128,9 +131,17 @@ StepResult ImplicitStepper::solve(int max_iterations) {
     return result;
 }
 
-StepResult ImplicitStepper::minimise(int max_iterations) try {
-    const MinimiserResult found = path ? path->solve(potential, loads, step, max_iterations, position)
-                                       : minimiser->minimise(potential, max_iterations, position);
+StepResult ImplicitStepper::minimise(int max_iterations) {
+    Positions unknowns = contact.with_bodies(position);
+    StepResult result = minimise(max_iterations, unknowns);
+    position = unknowns.leftCols(position.cols());
+    contact.place_bodies(unknowns);
+    return result;
+}
+
+StepResult ImplicitStepper::minimise(int max_iterations, Positions& unknowns) try {
+    const MinimiserResult found = path ? path->solve(potential, loads, step, max_iterations, unknowns)
+                                       : minimiser->minimise(potential, max_iterations, unknowns);
     return {found.converged ? Outcome::done : Outcome::unsolved, {}, found.iterations, found.limited};
 } catch (const IndefiniteMatrix& error) {
     // With the inertia of a shorter step the matrix may be positive definite.
@@ -146,7 +157,7 @@ void ImplicitStepper::topology_changed(const ShellChange& change) {
     if (path)
         path->topology_changed(change, potential, position);
     else
-        minimiser->topology_changed(change, potential, position);
+        minimiser->topology_changed(change, potential, contact.with_bodies(position));
     const double gone =
         ledger.topology_changed(stored(), moving(shell.velocity, shell.position), change.remeshes());
     const Positions kept = newly_unbalanced(change.vertices);
@@ -156,12 +167,13 @@ void ImplicitStepper::topology_changed(const ShellChange& change) {
 Positions ImplicitStepper::newly_unbalanced(std::span<const IndexWithParents> inserted) {
     Positions before = unbalanced;
     if (before.cols() > 0) append(before, inserted);
-    unbalanced = potential.gradient(position) * shell.mass.cwiseInverse().asDiagonal();
+    unbalanced = potential.gradient(contact.with_bodies(position)).leftCols(position.cols()) *
+                 shell.mass.cwiseInverse().asDiagonal();
     return (before.cols() > 0 ? Positions(unbalanced - before) : unbalanced) * shell.mass.asDiagonal();
 }
 
 double ImplicitStepper::dissipated_by_scheme() {
-    contact.end_at(position);
+    contact.end_step();
     return ledger.dissipated_by_scheme(work(), stored());
 }
 
@@ -181,7 +193,8 @@ std::vector<Reaction> ImplicitStepper::reactions() const {
     if (options.supports > 0) {
         // The inertial prediction satisfies the supports, so that inertia has no force against them in the
         // potential.
-        Positions blocked = potential.gradient_with_blocked(position);
+        Positions blocked =
+            potential.gradient_with_blocked(contact.with_bodies(position)).leftCols(position.cols());
         if (step.inertia > 0) {  // else weight is one of the loads
             Positions acceleration = step.acceleration(position);
             acceleration.colwise() -= options.gravity;
@@ -210,8 +223,7 @@ StepWork ImplicitStepper::work() {
     const Positions moved = position - shell.position;
     Positions gradient = Positions::Zero(3, position.cols());
     elastic.add_gradient(position, gradient);
-    for (const std::vector<Energy*>& some : {contact.energies(), contact.frictions()})
-        for (const Energy* energy : some) energy->add_gradient(position, gradient);
+    contact.add_gradient(position, gradient);
     opening.add_gradient(position, gradient);
     StepWork all;
     all.against_stored = gradient.cwiseProduct(moved).sum();

@@ -52,11 +52,16 @@ class ImplicitStepper : public Stepper {
     Positions newly_unbalanced(std::span<const IndexWithParents> inserted);
     std::vector<Energy*> all_energies();
     std::optional<std::string> overlap();
-    /// Moves `position` to the minimum, or to the equilibrium, without further bookkeeping.
+    /// Moves shell and bodies to the minimum, or to the equilibrium, without further bookkeeping.
     StepResult minimise(int max_iterations);
-    /// Moves `position` towards the prediction; returns false if vertices or obstacles with prescribed motion
-    /// do not arrive.
+    StepResult minimise(int max_iterations, Positions& unknowns);
+    /// Moves shell and bodies towards the prediction; returns false if vertices or obstacles with prescribed
+    /// motion do not arrive.
     bool predict();
+    /// The shell's part of it where not all vertices can arrive. Vertices and obstacles with prescribed
+    /// motion have to, so they move first, if necessary together with the vertices that they push. The others
+    /// follow until contact stops them.
+    bool predict_in_two(const Positions& motion);
     /// Fraction, 0 to 1, of a motion from the beginning of the step that passes through nothing.
     double free_fraction(const Positions& motion);
     /// Displacement in the step, m, [3, V], by which moving obstacles push the vertices near them.

@@ -4,14 +4,6 @@
 #include <algorithm>
 
 namespace sherd {
-namespace {
-
-/// Limits, in widths of a body, on how far its predicted pose may be beyond a sheet, and beyond another
-/// collider, which would push it out on the nearest side.
-constexpr double most_widths = 8, most_widths_in_collider = 0.25;
-
-}  // namespace
-
 BodyContact::BodyContact(const Shell& shell, std::vector<RigidBody> bodies,
                          const std::vector<Obstacle>& obstacles, const Vector3d& gravity,
                          std::span<const char> crossed)
@@ -22,7 +14,8 @@ BodyContact::BodyContact(const Shell& shell, std::vector<RigidBody> bodies,
       finished(started),
       ended(started),
       surfaces(surface_pairs(started, obstacles, crossed)),
-      sticks_with_shell(started.size()) {
+      sticks_with_shell(started.size()),
+      at(Positions::Zero(3, static_cast<Eigen::Index>(2 * started.size()))) {
     for (std::size_t b = 0; b < started.size(); ++b)
         pairs.push_back(started[b].surface ? std::make_unique<NearPairs>(with_surface(b)) : nullptr);
 }
@@ -33,12 +26,9 @@ ContactSurface BodyContact::with_surface(std::size_t body) const {
 
 void BodyContact::begin(const StepContext& step) {
     started = finished;
-    base.resize(0);
+    at.setZero();
     make_steps(step);
-    VectorXd ahead(base.size());
-    for (std::size_t b = 0; b < steps.size(); ++b) ahead.segment<6>(6 * b) = steps[b].prediction();
-    const Positions shell_ahead = shell.position + step.length * shell.velocity;
-    is_blocked = !have_straight_paths(shell_ahead, ahead, most_widths, most_widths_in_collider);
+    is_blocked = !have_straight_paths(shell.position + step.length * shell.velocity);
     move_with_colliders();
 }
 
@@ -51,15 +41,12 @@ void BodyContact::topology_changed(const ShellChange& change, const StepContext&
 void BodyContact::make_steps(const StepContext& step) {
     steps.clear();
     for (std::size_t b = 0; b < started.size(); ++b)
-        steps.emplace_back(shell, started[b], gravity, step, step.bodies[b], pairs[b].get(),
-                           obstacles.size() + b, sticks_with_shell[b]);
-    if (base.size() == 0) base = VectorXd::Zero(static_cast<Eigen::Index>(6 * steps.size()));
-    last.resize(3, 0);
+        steps.emplace_back(shell, started[b], gravity, step, step.bodies[b], pairs[b].get(), b,
+                           obstacles.size(), sticks_with_shell[b]);
     points = point_contacts(started, obstacles.size());
     sliding.clear();
     place_obstacles(step.begin);
-    start_stored =
-        potential(shell.position, VectorXd::Zero(static_cast<Eigen::Index>(6 * steps.size()))).stored;
+    start_stored = stored_energy(shell.position, poses(Positions::Zero(3, at.cols())));
     obstacle_starts = obstacle_places;
     place_obstacles(step.end());
     find_sliding(step);
@@ -74,7 +61,7 @@ void BodyContact::place_obstacles(double time) {
 
 void BodyContact::find_sliding(const StepContext& step) {
     sliding.clear();
-    const std::vector<BodyPose> start = poses(VectorXd::Zero(static_cast<Eigen::Index>(6 * steps.size())));
+    const std::vector<BodyPose> start = poses(Positions::Zero(3, at.cols()));
     for (std::size_t number = 0; number < points.size(); ++number) {
         const auto& [one, other, point] = points[number];
         const RigidBody& body = started[one];
@@ -101,34 +88,19 @@ const Collider& BodyContact::collider(std::size_t number) const {
     return obstacles[number - steps.size()];
 }
 
-std::vector<BodyPose> BodyContact::poses(const VectorXd& q) const {
+std::vector<BodyPose> BodyContact::poses(const Positions& columns) const {
+    const auto first = columns.cols() - static_cast<Eigen::Index>(2 * steps.size());
     std::vector<BodyPose> all;
-    for (std::size_t body = 0; body < steps.size(); ++body) all.push_back(steps[body].pose(part(q, body)));
+    for (std::size_t b = 0; b < steps.size(); ++b)
+        all.push_back(steps[b].pose(columns.middleCols<2>(first + static_cast<Eigen::Index>(2 * b))));
     for (const Eigen::Isometry3d& place : obstacle_places) all.push_back({place, Matrix3d::Zero()});
     return all;
 }
 
-void BodyContact::add_between(const std::vector<BodyPose>& poses, std::size_t body, std::size_t other,
-                              const PointForce& force, const Vector3d& x, const Vector3d& anchor,
-                              Potential& sum) const {
-    const auto motion = [&](std::size_t b, const Vector3d& point) {
-        return poses[b].point_motion(point - poses[b].place.translation());
-    };
-    const Matrix36d here = motion(body, x);
-    const auto turn = [&](std::size_t b, const Vector3d& point) {
-        sum.turning[b] += force.gradient.norm() * (point - poses[b].place.translation()).norm();
-    };
-    turn(body, x);
-    sum.gradient.segment<6>(6 * body) += here.transpose() * force.gradient;
-    sum.hessian.block<6, 6>(6 * body, 6 * body) += here.transpose() * force.hessian * here;
-    if (!is_free(other)) return;
-    turn(other, anchor);
-    const Matrix36d there = -motion(other, anchor);
-    sum.gradient.segment<6>(6 * other) += there.transpose() * force.gradient;
-    sum.hessian.block<6, 6>(6 * other, 6 * other) += there.transpose() * force.hessian * there;
-    const Matrix6d mixed = here.transpose() * force.hessian * there;
-    sum.hessian.block<6, 6>(6 * body, 6 * other) += mixed;
-    sum.hessian.block<6, 6>(6 * other, 6 * body) += mixed.transpose();
+Positions BodyContact::with_bodies(const Positions& x) const {
+    Positions all(3, x.cols() + at.cols());
+    all << x, at;
+    return all;
 }
 
 Overlap BodyContact::overlap_of(const PointContact& contact, const std::vector<BodyPose>& poses,
@@ -138,117 +110,163 @@ Overlap BodyContact::overlap_of(const PointContact& contact, const std::vector<B
 }
 
 template <class Add>
-void BodyContact::each_point_force(const VectorXd& q, Add add) const {
-    const std::vector<BodyPose> at_q = poses(q);
+void BodyContact::each_point_force(const std::vector<BodyPose>& poses, Add add) const {
+    const auto add_point = [&](std::size_t body, const Vector3d& x, std::size_t other, const Vector3d& anchor,
+                               const PointForce& force, bool elastic) {
+        add(BodyForce::between({-1, body}, x, other, anchor, force, elastic),
+            [&] { return between_points(force.hessian); });
+    };
     for (const PointContact& contact : points) {
-        const Overlap at = overlap_of(contact, at_q);
-        if (at.depth <= 0) continue;
-        const Vector3d x = at_q[contact.body].place * contact.point;
+        const Overlap overlap = overlap_of(contact, poses);
+        if (overlap.depth <= 0) continue;
+        const Vector3d x = poses[contact.body].place * contact.point;
         const double stiffness = started[contact.body].point_stiffness(collider(contact.other));
-        add(at_q, contact.body, contact.other, spring(at, stiffness, Curvature::convex), x, x, true);
+        add_point(contact.body, x, contact.other, x, spring(overlap, stiffness, Curvature::convex), true);
     }
-    for (const auto& [number, body, other, point, friction] : sliding) {
-        const Vector3d x = at_q[body].place * point, anchor = at_q[other].place * friction.anchor;
-        add(at_q, body, other, friction.force(x, anchor), x, anchor, false);
+    for (const SlidingContact& contact : sliding) {
+        const Vector3d x = poses[contact.body].place * contact.point,
+                       anchor = poses[contact.other].place * contact.sliding.anchor;
+        add_point(contact.body, x, contact.other, anchor, contact.sliding.force(x, anchor), false);
     }
-}
-
-void BodyContact::add_point_contacts(const VectorXd& q, Potential& sum) const {
-    each_point_force(q,
-                     [&](const std::vector<BodyPose>& at_q, std::size_t body, std::size_t other,
-                         const PointForce& force, const Vector3d& x, const Vector3d& anchor, bool elastic) {
-                         (elastic ? sum.stored : sum.value) += force.value;
-                         add_between(at_q, body, other, force, x, anchor, sum);
-                     });
 }
 
 template <class Add>
-void BodyContact::each_surface_force(const std::vector<BodyPose>& at_q, Add add) const {
+void BodyContact::each_surface_force(const std::vector<BodyPose>& poses, Add add) const {
     for (const auto& pairs_of_two : surfaces_of_step()) {
         const SurfacePairs& two = *pairs_of_two;
-        const PairPlaces places = places_of(two, at_q);
-        two.each_active(places, [&](const ContactPair& pair, const PairPositions& at) {
-            add(two, pair.vertices, at, PairPositions(PairPositions::Zero()), gradient(pair, at),
-                hessian(pair, at, true), sherd::value(pair, at), true);
+        const PairPlaces places = places_of(two, poses);
+        const auto points_of = [&](const std::array<Index, 4>& vertices) {
+            std::array<BodyForce::Point, 4> all;
+            for (int i = 0; i < 4; ++i) all[i] = {-1, vertices[i] < two.first() ? two.other : two.body};
+            return all;
+        };
+        two.each_active(places, [&](const ContactPair& pair, const PairPositions& x) {
+            add(BodyForce::of(pair, points_of(pair.vertices), x, two.moved(pair.vertices, places)),
+                [&] { return hessian(pair, x, true); });
         });
         for (const SlidingPair& pair : two.sliding()) {
             const PairPositions way = two.moved(pair.vertices, places);
-            add(two, pair.vertices, two.in_space(pair.vertices, places), way, pair.gradient(way),
-                pair.hessian(way), pair.value(way), false);
+            add(BodyForce::of(pair, points_of(pair.vertices), two.in_space(pair.vertices, places), way),
+                [&] { return pair.hessian(way); });
         }
     }
 }
 
-void BodyContact::add_surface_pairs(const VectorXd& q, Potential& sum) const {
-    const std::vector<BodyPose> at_q = poses(q);
-    each_surface_force(at_q, [&](const SurfacePairs& two, const std::array<Index, 4>& vertices,
-                                 const PairPositions& at, const PairPositions&, const PairPositions& force,
-                                 const PairHessian& stiffness, double value, bool elastic) {
-        (elastic ? sum.stored : sum.value) += value;
-        Eigen::Matrix<double, 12, 12> motion = Eigen::Matrix<double, 12, 12>::Zero();
-        for (int i = 0; i < 4; ++i) {
-            const bool own = vertices[i] >= two.first();
-            const std::size_t b = own ? two.body : two.other;
-            if (!is_free(b)) continue;
-            const Vector3d arm = at.col(i) - at_q[b].place.translation();
-            motion.block<3, 6>(3 * i, own ? 0 : 6) = at_q[b].point_motion(arm);
-            sum.turning[b] += force.col(i).norm() * arm.norm();
-        }
-        const Eigen::Matrix<double, 12, 1> by_q = motion.transpose() * force.reshaped();
-        const Eigen::Matrix<double, 12, 12> twice = motion.transpose() * stiffness * motion;
-        const std::array numbers{two.body, two.other};
-        for (int i = 0; i < 2; ++i) {
-            if (!is_free(numbers[i])) continue;
-            sum.gradient.segment<6>(6 * numbers[i]) += by_q.segment<6>(6 * i);
-            for (int j = 0; j < 2; ++j)
-                if (is_free(numbers[j]))
-                    sum.hessian.block<6, 6>(6 * numbers[i], 6 * numbers[j]) +=
-                        twice.block<6, 6>(6 * i, 6 * j);
-        }
-    });
+template <class Add>
+void BodyContact::each_force(const Positions& x, const std::vector<BodyPose>& poses, Add add) const {
+    for (std::size_t b = 0; b < steps.size(); ++b) steps[b].each_force(x, poses[b], add);
+    each_point_force(poses, add);
+    each_surface_force(poses, add);
 }
 
-BodyContact::Potential BodyContact::potential(const Positions& x, const VectorXd& q) const {
-    Potential sum;
-    const auto size = static_cast<Eigen::Index>(6 * steps.size());
-    sum.gradient = VectorXd::Zero(size);
-    sum.hessian = Eigen::MatrixXd::Zero(size, size);
-    sum.turning.assign(steps.size(), 0);
-    add_point_contacts(q, sum);
-    add_surface_pairs(q, sum);
-    sum.value += sum.stored;
-    for (std::size_t b = 0; b < steps.size(); ++b) {
-        sum.bodies.push_back(steps[b].potential(x, part(q, b)));
-        const BodyPotential& own = sum.bodies.back();
-        sum.value += own.value;
-        sum.stored += own.stored;
-        sum.turning[b] += own.turning;
-        sum.gradient.segment<6>(6 * b) += own.gradient;
-        sum.hessian.block<6, 6>(6 * b, 6 * b) += own.hessian;
+template <class Use>
+void BodyContact::each_column(const BodyForce& force, const std::vector<BodyPose>& poses, Use use) const {
+    for (int i = 0; i < force.count; ++i) {
+        const auto& [vertex, number] = force.points[i];
+        if (vertex >= 0) {
+            use(i, vertex, Matrix3d(Matrix3d::Identity()));
+        } else if (is_free(number)) {
+            use(i, first_column(number), Matrix3d(Matrix3d::Identity()));
+            use(i, first_column(number) + 1, poses[number].turning(force.at.col(i)));
+        }
     }
-    return sum;
 }
 
 double BodyContact::value(const Positions& x) const {
-    return solve(x).value;
+    double sum = 0;
+    each_force(shell_part(x), poses(x), [&](const BodyForce& force, const auto&) { sum += force.value; });
+    return sum;
 }
 
 void BodyContact::add_gradient(const Positions& x, Positions& gradient) const {
-    for (const BodyPotential& body : solve(x).bodies)
-        for (const auto& [vertex, terms] : body.vertex_terms) gradient.col(vertex) += terms.gradient;
+    const std::vector<BodyPose> all = poses(x);
+    each_force(shell_part(x), all, [&](const BodyForce& force, const auto&) {
+        each_column(force, all, [&](int point, Index column, const Matrix3d& motion) {
+            gradient.col(column) += motion.transpose() * force.gradient.col(point);
+        });
+    });
 }
 
-void BodyContact::end_at(const Positions& x) {
-    solve(x);
-    for (std::size_t b = 0; b < steps.size(); ++b) ended[b] = steps[b].moved(part(best, b));
+void BodyContact::add_hessian(const Positions& x, Curvature, BlockMatrix& hessian) const {
+    struct Column {
+        int point;
+        Index number;
+        Matrix3d motion;
+    };
+    const std::vector<BodyPose> all = poses(x);
+    std::vector<Column> columns;
+    each_force(shell_part(x), all, [&](const BodyForce& force, const auto& second_derivative) {
+        const PairHessian twice = second_derivative();
+        columns.clear();
+        each_column(force, all, [&](int point, Index number, const Matrix3d& motion) {
+            columns.push_back({point, number, motion});
+        });
+        for (std::size_t i = 0; i < columns.size(); ++i)
+            for (std::size_t j = 0; j <= i; ++j) {
+                const auto& [one, row, by_row] = columns[i];
+                const auto& [other, column, by_column] = columns[j];
+                const Matrix3d block = by_row.transpose() * twice.block<3, 3>(3 * one, 3 * other) * by_column;
+                const Matrix3d both = block + block.transpose();
+                hessian.add(row, column, row != column ? block : Matrix3d((i == j ? 0.5 : 1) * both));
+            }
+    });
+}
+
+void BodyContact::add_contacts(const Positions& x, bool ahead,
+                               std::vector<std::pair<Index, Index>>& found) const {
+    const std::vector<BodyPose> all = poses(x);
+    std::vector<Index> columns;
+    each_force(shell_part(x), all, [&](const BodyForce& force, const auto&) {
+        columns.clear();
+        each_column(force, all, [&](int, Index column, const Matrix3d&) {
+            for (const Index other : columns)
+                if (other != column) found.emplace_back(column, other);
+            columns.push_back(column);
+        });
+    });
+    if (ahead) add_upcoming(x, found);
+}
+
+void BodyContact::add_upcoming(const Positions& x, std::vector<std::pair<Index, Index>>& found) const {
+    const std::vector<BodyPose> all = poses(x);
+    const auto add_columns_of = [&](std::size_t body, Index other) {
+        for (const Index column : {first_column(body), first_column(body) + 1})
+            found.emplace_back(column, other);
+    };
+    const auto add_both = [&](std::size_t one, std::size_t other) {
+        for (const Index column : {first_column(other), first_column(other) + 1}) add_columns_of(one, column);
+    };
+    for (std::size_t b = 0; b < steps.size(); ++b) {
+        std::set<Index> near;
+        steps[b].add_near(shell_part(x), all[b], near, found);
+        for (const Index vertex : near) add_columns_of(b, vertex);
+    }
+    for (const PointContact& contact : points) {
+        if (!is_free(contact.other)) continue;
+        const double margin = ahead_of_contact * started[contact.other].shape->bounds().diagonal().norm();
+        if (overlap_of(contact, all, margin).depth > 0) add_both(contact.body, contact.other);
+    }
+    for (const auto& pair : surfaces_of_step())
+        if (is_free(pair->other) && are_near(*pair, all)) add_both(pair->body, pair->other);
+}
+
+bool BodyContact::are_near(const SurfacePairs& pair, const std::vector<BodyPose>& poses) const {
+    const double reach = 0.5 * (started[pair.body].shape->bounds().diagonal().norm() +
+                                started[pair.other].shape->bounds().diagonal().norm());
+    const PairPlaces places = places_of(pair, poses);
+    return (places.here.translation() - places.there.translation()).norm() < (1 + ahead_of_contact) * reach;
+}
+
+void BodyContact::end_step() {
+    for (std::size_t b = 0; b < steps.size(); ++b) ended[b] = steps[b].moved(placed(b));
 }
 
 void BodyContact::finish(const Positions& x) {
-    end_at(x);
+    end_step();
     finished = ended;
-    const std::vector<BodyPose> at_end = poses(best);
+    const std::vector<BodyPose> at_end = poses(at);
     for (std::size_t b = 0; b < steps.size(); ++b)
-        sticks_with_shell[b] = steps[b].elastic_slip_after(x, part(best, b));
+        sticks_with_shell[b] = steps[b].elastic_slip_after(x, placed(b));
     sticks_with_points.clear();
     for (const auto& [number, body, other, point, friction] : sliding)
         sticks_with_points.keep(number, friction.elastic_slip_after(at_end[body].place * point,
@@ -256,39 +274,32 @@ void BodyContact::finish(const Positions& x) {
     for (const auto& pair : surfaces) pair->finish(places_of(*pair, at_end));
 }
 
-double BodyContact::stored_energy(const Positions& x) const {
-    return solve(x).stored;
+double BodyContact::stored_energy(const Positions& x, const std::vector<BodyPose>& poses) const {
+    double sum = 0;
+    each_force(x, poses, [&](const BodyForce& force, const auto&) {
+        if (force.elastic) sum += force.value;
+    });
+    return sum;
 }
 
 double BodyContact::friction_loss(const Positions& x) const {
-    solve(x);
     double sum = 0;
-    for (std::size_t b = 0; b < steps.size(); ++b) sum += steps[b].friction_loss(x, part(best, b));
-    each_point_force(best,
-                     [&](const std::vector<BodyPose>&, std::size_t, std::size_t, const PointForce& force,
-                         const Vector3d& at, const Vector3d& anchor, bool elastic) {
-                         if (!elastic) sum += force.gradient.dot(at - anchor);
-                     });
-    each_surface_force(poses(best),
-                       [&](const SurfacePairs&, const std::array<Index, 4>&, const PairPositions&,
-                           const PairPositions& moved, const PairPositions& force, const PairHessian&, double,
-                           bool) { sum += force.cwiseProduct(moved).sum(); });
+    each_force(x, poses(at), [&](const BodyForce& force, const auto&) {
+        if (!force.elastic) sum += force.work();
+    });
     return sum;
 }
 
 double BodyContact::work_of_all() const {
     double sum = 0;
-    for (std::size_t b = 0; b < steps.size(); ++b) {
-        const Vector6d motion = part(best, b);
-        sum += steps[b].momentum_rate(ended[b]).dot(motion);
-    }
+    for (std::size_t b = 0; b < steps.size(); ++b)
+        sum += steps[b].momentum_rate(ended[b]).dot(steps[b].motion(placed(b)));
     return sum;
 }
 
 double BodyContact::contact_work() const {
     double weight = 0;
-    for (std::size_t b = 0; b < steps.size(); ++b)
-        weight += started[b].mass * gravity.dot(part(best, b).head<3>());
+    for (std::size_t b = 0; b < steps.size(); ++b) weight += started[b].mass * gravity.dot(placed(b).col(0));
     return work_of_all() - weight;
 }
 
@@ -299,44 +310,38 @@ double BodyContact::kinetic_change() const {
     return sum;
 }
 
-double BodyContact::work_of_deforming(const Positions& x) const {
-    solve(x);
-    const std::vector<BodyPose> at_end = poses(best);
+double BodyContact::work_of_deforming() const {
     double sum = 0;
-    each_surface_force(
-        at_end, [&](const SurfacePairs& two, const std::array<Index, 4>& vertices, const PairPositions&,
-                    const PairPositions&, const PairPositions& force, const PairHessian&, double, bool) {
-            if (!two.other_deforms()) return;
-            const PairPositions way = two.moved(vertices, places_of(two, at_end));
-            for (int i = 0; i < 4; ++i)
-                if (vertices[i] < two.first()) sum += force.col(i).dot(way.col(i));
-        });
+    each_surface_force(poses(at), [&](const BodyForce& force, const auto&) {
+        for (int i = 0; i < force.count; ++i) {
+            const std::size_t number = force.points[i].collider;
+            if (!is_free(number) && obstacles[number - steps.size()].deformation != nullptr)
+                sum += force.gradient.col(i).dot(force.moved.col(i));
+        }
+    });
     return sum;
 }
 
-void BodyContact::add_reactions(const Positions& x, std::span<Reaction> of_obstacles) const {
-    solve(x);
-    each_point_force(best, [&](const std::vector<BodyPose>&, std::size_t, std::size_t other,
-                               const PointForce& force, const Vector3d& at, const Vector3d&, bool) {
-        if (!is_free(other)) of_obstacles[other - steps.size()].add(at, -force.gradient);
-    });
-    each_surface_force(poses(best), [&](const SurfacePairs& two, const std::array<Index, 4>& vertices,
-                                        const PairPositions& at, const PairPositions&,
-                                        const PairPositions& force, const PairHessian&, double, bool) {
-        for (int i = 0; i < 4 && !is_free(two.other); ++i)
-            if (vertices[i] >= two.first())
-                of_obstacles[two.other - steps.size()].add(at.col(i), -force.col(i));
-    });
+void BodyContact::add_reactions(std::span<Reaction> of_obstacles) const {
+    const auto add = [&](const BodyForce& force, const auto&) {
+        // Of the two colliders between which the force acts, an obstacle has the greater number.
+        std::size_t number = 0;
+        for (int i = 0; i < force.count; ++i) number = std::max(number, force.points[i].collider);
+        for (int i = 0; i < force.count && !is_free(number); ++i)
+            if (is_free(force.points[i].collider))
+                of_obstacles[number - steps.size()].add(force.at.col(i), -force.gradient.col(i));
+    };
+    each_point_force(poses(at), add);
+    each_surface_force(poses(at), add);
 }
 
 void BodyContact::add_touch(const Positions& x, Touch& touch) const {
-    solve(x);
+    const std::vector<BodyPose> all = poses(at);
     for (std::size_t b = 0; b < steps.size(); ++b) {
-        const Touch own = steps[b].touch(x, part(best, b));
+        const Touch own = steps[b].touch(x, all[b]);
         if (!own.vertices.empty()) touch.bodies.insert(b);
         touch.include(own);
     }
-    const std::vector<BodyPose> at_best_poses = poses(best);
     const auto include = [&](std::size_t body, std::size_t other) {
         touch.bodies.insert(body);
         if (is_free(other))
@@ -345,9 +350,9 @@ void BodyContact::add_touch(const Positions& x, Touch& touch) const {
             touch.obstacles.insert(other - steps.size());
     };
     for (const PointContact& contact : points)
-        if (overlap_of(contact, at_best_poses).depth > 0) include(contact.body, contact.other);
+        if (overlap_of(contact, all).depth > 0) include(contact.body, contact.other);
     for (const auto& pair : surfaces_of_step())
-        if (pair->touch(places_of(*pair, at_best_poses))) include(pair->body, pair->other);
+        if (pair->touch(places_of(*pair, all))) include(pair->body, pair->other);
 }
 
 }  // namespace sherd

@@ -11,13 +11,10 @@
 
 namespace sherd {
 
-/// Contact of rigid bodies in one step: with the shell, with each other and with obstacles, which are
-/// colliders whose motion is given. The energy is that of the optimal poses: E(x) = min over q of P(x, q),
-/// where q holds the displacements and rotation vectors of all bodies in the step, and P is the sum of their
-/// potentials (BodyStep) and of the springs and the friction between them. dE/dx is the derivative of P at
-/// these poses, and d2E/dx2 the Schur complement P_xx - P_xq P_qq^-1 P_qx: Newton's method on x alone solves
-/// for shell and bodies together. The search for the optimal poses never moves a body through the shell; it
-/// starts from the optimal poses for the minimiser's current iterate, which moved_to() gives.
+/// Contact of free rigid bodies in one step: with the shell (BodyStep), with each other and with obstacles,
+/// which are colliders whose motion is given. The bodies' columns (BodyColumns) follow those of the vertices
+/// among the unknowns: x is [3, V + 2 B] m, where it is not said to be of the shell. The Hessian is a
+/// Gauss-Newton one, without the second derivatives of rotations.
 ///
 /// Springs act between two bodies, and between a body and an obstacle, at the body's contact points: the
 /// centre of a ball with its radius, the corners of a box or of a mesh. A contact is found when such a point
@@ -29,22 +26,37 @@ class BodyContact : public Energy {
     /// m/s^2. crossed: see surface_pairs().
     BodyContact(const Shell& shell, std::vector<RigidBody> bodies, const std::vector<Obstacle>& obstacles,
                 const Vector3d& gravity, std::span<const char> crossed = {});
+    /// Colliders that move into bodies take these along; place() has the bodies there.
     void begin(const StepContext& step) override;
     void topology_changed(const ShellChange& change, const StepContext& step) override;
-    void moved_to(const Positions& x) override;
+    bool has_bodies() const override { return true; }
     /// Whether the step is too long for the bodies: without contact, a body would end too many of its own
     /// widths beyond what it hits, or an obstacle moves into a body that cannot get out of its way. The
-    /// optimal poses of such a step are not what the impact leads to, and are hard to find.
+    /// minimum for such a step is not what the impact leads to, and is hard to find.
     bool blocked() const { return is_blocked; }
-    /// Moves the bodies to the end of the step, with the shell at x [3, V] m; the step stays open.
-    void end_at(const Positions& x);
-    /// Whether the optimal poses have been found for the shell at x. If not, the step is too long for the
-    /// bodies.
-    bool have_optimal_poses(const Positions& x) const;
-    /// Whether a body passes through the shell, which moves straight to x, or through another body or an
-    /// obstacle, in the step. Bodies move along their screws, obstacles by their motion.
+
+    /// The bodies' columns in the open step, [3, 2 B] m: where they begin it, then where place() has put
+    /// them.
+    const Positions& place() const { return at; }
+    void place(Positions columns) { at = std::move(columns); }
+    /// The unknowns with the shell at x [3, V] and the bodies at place().
+    Positions with_bodies(const Positions& x) const;
+    /// Moves the bodies to their inertial predictions, or as far as the way there is free of the shell, which
+    /// is at x [3, V].
+    void predict(const Positions& x);
+    Index first_column(std::size_t body) const { return static_cast<Index>(shell.mass.size() + 2 * body); }
+    BodyColumns columns_of(std::size_t body, const Positions& x) const {
+        return x.middleCols<2>(first_column(body));
+    }
+    const BodyColumns& prediction(std::size_t body) const { return steps[body].prediction(); }
+    double inertia(std::size_t body) const { return steps[body].inertia(); }  ///< N/m, of its columns
+
+    /// Moves the bodies to the end of the step; it stays open.
+    void end_step();
+    /// Whether a body passes through the shell, which moves straight to x [3, V], or through another body or
+    /// an obstacle, in the step. Bodies move along their screws, obstacles by their motion.
     bool passes(const StepContext& step, const Positions& x) const;
-    /// Ends the step with the shell at x.
+    /// Ends the step with the shell at x [3, V].
     void finish(const Positions& x);
     /// The bodies at the end of the last step that was finished.
     const std::vector<RigidBody>& bodies() const { return finished; }
@@ -58,37 +70,30 @@ class BodyContact : public Energy {
                       std::vector<std::pair<Index, Index>>& pairs) const override;
     double safe_fraction(const Positions& x, const Positions& motion) const override;
 
-    double stored_energy(const Positions& x) const;          ///< elastic energy of the contacts, J
+    // At place(), with the shell at x [3, V]:
+    double stored_energy(const Positions& x) const { return stored_energy(x, poses(at)); }  ///< J, elastic
     double stored_at_start() const { return start_stored; }  ///< J, at the beginning of the step
-    /// Energy dissipated by friction in the step that ends at x, J.
+    /// Energy dissipated by friction in the step, J.
     double friction_loss(const Positions& x) const;
-    /// Work, J, of contact forces on the bodies in their last step (end_at()); work_of_all(): of all forces,
-    /// weight included.
+    void add_touch(const Positions& x, Touch& touch) const;
+    /// Work, J, of deforming obstacles on bodies in the step.
+    double work_of_deforming() const;
+    /// Adds the obstacles' forces on bodies to the reactions.
+    void add_reactions(std::span<Reaction> of_obstacles) const;
+    /// Work, J, of contact forces on the bodies in their last step (end_step()); work_of_all(): of all
+    /// forces, weight included.
     double contact_work() const;
     double work_of_all() const;
     double kinetic_change() const;  ///< J, in that step
-    void add_touch(const Positions& x, Touch& touch) const;
-    /// Work, J, of deforming obstacles on bodies in the step, with the shell at x.
-    double work_of_deforming(const Positions& x) const;
-    /// Adds the obstacles' forces on bodies, when the shell is at x, to the reactions.
-    void add_reactions(const Positions& x, std::span<Reaction> of_obstacles) const;
     /// Visits the state that begin() and topology_changed() do not compute.
     void visit_state(StateVisitor& visit) override {
         auto& [shell, obstacles, gravity, started, finished, ended, pairs, surfaces, steps, obstacle_starts,
                obstacle_places, points, sliding, sticks_with_shell, sticks_with_points, start_stored,
-               is_blocked, base, last, best, at_best] = *this;
+               is_blocked, at] = *this;
         visit(started, finished, pairs, surfaces, sticks_with_shell, sticks_with_points);
     }
 
   private:
-    /// P and its derivatives by q. Derivatives by x are stored with each body.
-    struct Potential {
-        double value = 0, stored = 0;  ///< J
-        VectorXd gradient;             ///< [6 B]
-        Eigen::MatrixXd hessian;
-        std::vector<BodyPotential> bodies;
-        std::vector<double> turning;  ///< N m, of each body, see BodyPotential
-    };
     /// A contact point that touched another collider at the beginning of the step.
     struct SlidingContact {
         std::size_t number;  ///< in `points`
@@ -98,15 +103,14 @@ class BodyContact : public Energy {
     };
 
     ContactSurface with_surface(std::size_t body) const;
-    /// Makes the bodies' potentials and the contacts of the step from the poses at its beginning.
+    /// Makes the bodies' steps and the contacts of the step from the poses at its beginning.
     void make_steps(const StepContext& step);
     void place_obstacles(double time);
     void find_sliding(const StepContext& step);
-    /// Whether no body, on the straight way to q, gets more than `widths` of its widths beyond a sheet, or
-    /// `widths_in_collider` of them beyond another collider, that it hits.
-    bool have_straight_paths(const Positions& x, const VectorXd& q, double widths,
-                             double widths_in_collider) const;
-    /// Moves bodies along with colliders that move into them, in `base`.
+    /// Whether no body, on the straight way to its prediction, gets too far beyond a sheet, which moves to x
+    /// [3, V], or beyond another collider, that it hits.
+    bool have_straight_paths(const Positions& x) const;
+    /// Moves bodies along with colliders that move into them, in `at`.
     void move_with_colliders();
     bool is_free(std::size_t collider) const { return collider < steps.size(); }
     const Collider& collider(std::size_t number) const;
@@ -117,47 +121,47 @@ class BodyContact : public Energy {
     PairPlaces start_of(const SurfacePairs& pair) const {
         return {start_of(pair.body), start_of(pair.other), true};
     }
-    static PairPlaces places_of(const SurfacePairs& pair, const std::vector<BodyPose>& at) {
-        return {at[pair.body].place, at[pair.other].place};
+    static PairPlaces places_of(const SurfacePairs& pair, const std::vector<BodyPose>& poses) {
+        return {poses[pair.body].place, poses[pair.other].place};
     }
-    /// Poses of all colliders when the bodies are at q.
-    std::vector<BodyPose> poses(const VectorXd& q) const;
-    Vector6d part(const VectorXd& q, std::size_t body) const { return q.segment<6>(6 * body); }
-    Potential potential(const Positions& x, const VectorXd& q) const;
+    Positions shell_part(const Positions& x) const { return x.leftCols(shell.mass.size()); }
+    BodyColumns placed(std::size_t body) const {
+        return at.middleCols<2>(static_cast<Eigen::Index>(2 * body));
+    }
+    /// Poses of all colliders, when the columns of bodies are the last ones of `columns`.
+    std::vector<BodyPose> poses(const Positions& columns) const;
     /// Overlap of a contact point with the other collider; margin: m, added to the contact radius.
     Overlap overlap_of(const PointContact& contact, const std::vector<BodyPose>& poses,
                        double margin = 0) const;
-    /// Calls add(at, body, other, force, x, anchor, elastic) for each force on a point x of a body from
-    /// another collider; at: poses(q).
+    // Call add(force, hessian) for each force, see BodyStep::each_force(). x: of the shell, [3, V].
     template <class Add>
-    void each_point_force(const VectorXd& q, Add add) const;
-    void add_point_contacts(const VectorXd& q, Potential& sum) const;
+    void each_force(const Positions& x, const std::vector<BodyPose>& poses, Add add) const;
+    template <class Add>
+    void each_point_force(const std::vector<BodyPose>& poses, Add add) const;
+    template <class Add>
+    void each_surface_force(const std::vector<BodyPose>& poses, Add add) const;
+    double stored_energy(const Positions& x, const std::vector<BodyPose>& poses) const;
+    /// Calls use(point, column, motion) for each column that moves points of the force; motion: derivative of
+    /// the place of BodyForce::points[point] by the column.
+    template <class Use>
+    void each_column(const BodyForce& force, const std::vector<BodyPose>& poses, Use use) const;
     /// Surface pairs; none before the first step, when colliders have no poses yet.
     std::span<const std::unique_ptr<SurfacePairs>> surfaces_of_step() const {
         return std::span(surfaces).first(steps.empty() ? 0 : surfaces.size());
     }
-    /// Calls add(pairs, vertices, at, moved, gradient, hessian, value, elastic) for each pair of surfaces;
-    /// at: m, [3, 4], in space; moved: m, [3, 4], displacements in the step, zero for elastic forces.
-    template <class Add>
-    void each_surface_force(const std::vector<BodyPose>& at_q, Add add) const;
-    void add_surface_pairs(const VectorXd& q, Potential& sum) const;
-    /// Adds a force on the point x of a body, and the opposite force on the point `anchor` of another
-    /// collider.
-    void add_between(const std::vector<BodyPose>& poses, std::size_t body, std::size_t other,
-                     const PointForce& force, const Vector3d& x, const Vector3d& anchor,
-                     Potential& sum) const;
-    /// For each body, the smallest number of a body that it is connected to by contacts, directly or through
-    /// others. `ahead` also counts bodies that are near contact.
-    std::vector<std::size_t> groups(const VectorXd& q, bool ahead) const;
-    double free_fraction(const Positions& x, const VectorXd& from, const VectorXd& to) const;
-    bool passes(const StepContext& step, const SurfacePairs& pair) const;  ///< when bodies get to `best`
-    bool is_small(const VectorXd& correction) const;
-    /// The correction of Newton's method at the best q so far.
-    VectorXd correction() const;
-    /// Takes one step of Newton's method on q. Returns false when the potential cannot be lowered further.
-    bool improve(const Positions& x) const;
-    /// The potential at the optimal poses for x, which are kept until x changes.
-    const Potential& solve(const Positions& x) const;
+    /// Appends the pairs of columns that are likely to have a block soon.
+    void add_upcoming(const Positions& x, std::vector<std::pair<Index, Index>>& pairs) const;
+    bool are_near(const SurfacePairs& pair, const std::vector<BodyPose>& poses) const;
+    /// Angle, rad, of a body's rotation when the columns of bodies are the last ones of `columns`.
+    double turn_of(std::size_t body, const Positions& columns) const;
+    double largest_turn_in(const Positions& motion) const;  ///< bound, rad
+    // Fraction, 0 to 1, of a motion of shell and bodies from x up to which they do not reach each other: as
+    // if each body turned in straight parts; as if it were straight in the body's frame; and with the poses
+    // at its end checked.
+    double free_fraction(const Positions& x, const Positions& motion) const;
+    double free_fraction_of_part(const Positions& x, const Positions& after) const;
+    double checked_fraction(const Positions& x, const Positions& motion) const;
+    bool passes(const StepContext& step, const SurfacePairs& pair) const;  ///< when bodies get to `at`
 
     const Shell& shell;
     const std::vector<Obstacle>& obstacles;
@@ -178,13 +182,7 @@ class BodyContact : public Energy {
     StickMemory<std::size_t> sticks_with_points;
     double start_stored = 0;  ///< J
     bool is_blocked = false;
-    /// [6 B], empty before the first step: motions to poses free of overlap with the shell, where solve()
-    /// starts.
-    VectorXd base;
-    // Caches: no result depends on them.
-    mutable Positions last;
-    mutable VectorXd best;
-    mutable Potential at_best;
+    Positions at;  ///< see place()
 };
 
 }  // namespace sherd

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "core/contact/bodies/body_potential.h"
+#include "core/contact/bodies/body_pose.h"
 #include "core/contact/explicit/contact_forces.h"
 #include "core/contact/explicit/explicit_bodies.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/contact/bodies/body_potential.h"
+#include "core/contact/bodies/body_pose.h"
 #include "core/contact/bodies/body_step.h"
 #include "core/contact/bodies/point_contacts.h"
 #include "core/contact/colliders/contact_colliders.h"

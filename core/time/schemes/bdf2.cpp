@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/time/schemes/bdf2.h"
 
-#include "core/contact/bodies/body_potential.h"
+#include "core/contact/bodies/body_pose.h"
 #include "core/shell/patch_momentum.h"
 
 namespace sherd {

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-#include "core/contact/bodies/body_potential.h"
+#include "core/contact/bodies/body_pose.h"
 #include "core/contact/colliders/rigid_body.h"
 #include "tests/support/contact/obstacles.h"
 
