@@ -25,7 +25,8 @@ Contact::Contact(const Shell& shell, ContactOptions given, const ContactStart& s
 
 std::vector<Energy*> Contact::energies() {
     std::vector<Energy*> all;
-    if (body_contact) all.insert(all.end(), {body_contact.get(), body_inertia.get()});
+    if (body_contact) all.push_back(body_contact.get());
+    if (body_inertia) all.push_back(body_inertia.get());
     for (const auto& contact : obstacle_contact) all.push_back(contact.get());
     if (sheet_contact) all.push_back(sheet_contact.get());
     if (options.sheets) all.push_back(&crack_faces);

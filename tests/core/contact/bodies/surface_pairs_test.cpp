@@ -144,9 +144,15 @@ TEST(SurfacePairs, ForceAndStiffnessAreDerivativesOfTheValue) {
         const std::vector<Obstacle> none;
         BodyContact contact(shell, bodies, none, Vector3d::Zero());
         contact.begin(test::step_of(shell, 0, 1e-3, bodies));
-        contact.predict(shell.position);
+        const auto press = [&] {
+            Positions columns = contact.place();
+            columns.col(2) += Vector3d(4e-6, 2e-6, -3e-5);
+            contact.place(columns);
+        };
+        press();
         contact.finish(shell.position);  // contact begins; friction acts from the next step on
         contact.begin(test::step_of(shell, 1e-3, 1e-3, contact.bodies()));
+        press();
         Touch touch;
         contact.add_touch(shell.position, touch);
         ASSERT_EQ(touch.bodies.size(), 2u);
