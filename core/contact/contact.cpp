@@ -9,10 +9,8 @@ Contact::Contact(const Shell& shell, ContactOptions given, const ContactStart& s
                  const Threads& threads)
     : shell(shell), options(std::move(given)), crack_faces(shell.crack_faces) {
     const std::vector<Obstacle>& obstacles = options.obstacles;
-    if (!start.bodies.empty()) {
+    if (!start.bodies.empty())
         body_contact = std::make_unique<BodyContact>(shell, start.bodies, obstacles, gravity, start.crossed);
-        body_inertia = std::make_unique<BodyInertia>(*body_contact);
-    }
     for (const Obstacle& obstacle : obstacles)
         obstacle_contact.push_back(
             std::make_unique<ObstacleContact>(shell, obstacle, obstacle_contact.size()));
@@ -26,7 +24,6 @@ Contact::Contact(const Shell& shell, ContactOptions given, const ContactStart& s
 std::vector<Energy*> Contact::energies() {
     std::vector<Energy*> all;
     if (body_contact) all.push_back(body_contact.get());
-    if (body_inertia) all.push_back(body_inertia.get());
     for (const auto& contact : obstacle_contact) all.push_back(contact.get());
     if (sheet_contact) all.push_back(sheet_contact.get());
     if (options.sheets) all.push_back(&crack_faces);

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "core/contact/bodies/body_inertia.h"
+#include "core/contact/bodies/body_contact.h"
 #include "core/contact/contact_options.h"
 #include "core/contact/crack_faces/crack_face.h"
 #include "core/contact/penalty/obstacle_contact.h"
@@ -25,8 +25,7 @@ class Contact {
             const Threads& threads);
     Contact(const Contact&) = delete;  // energies refer to its obstacles
 
-    /// The contact energies and the inertia of bodies, in the order in which they begin a step and are
-    /// summed.
+    /// The contact energies, in the order in which they begin a step and are summed.
     std::vector<Energy*> energies();
     std::vector<double> body_masses() const;  ///< kg
     /// The friction energies between sheets, which begin a step after all others.
@@ -81,8 +80,8 @@ class Contact {
     Positions crack_face_forces(const Positions& x) const;  ///< N, [3, V], between crack faces
     double crack_face_overlap(const Positions& x) const { return crack_faces.largest_overlap(x); }  ///< m
     void visit_state(StateVisitor& visit) {
-        auto& [shell, options, body_contact, body_inertia, obstacle_contact, sheet_contact, sheet_friction,
-               crack_faces] = *this;
+        auto& [shell, options, body_contact, obstacle_contact, sheet_contact, sheet_friction, crack_faces] =
+            *this;
         visit(body_contact, obstacle_contact, sheet_contact, sheet_friction, crack_faces);
     }
 
@@ -90,7 +89,6 @@ class Contact {
     const Shell& shell;
     const ContactOptions options;
     std::unique_ptr<BodyContact> body_contact;  ///< null if there are no bodies
-    std::unique_ptr<BodyInertia> body_inertia;  ///< null without body_contact
     std::vector<std::unique_ptr<ObstacleContact>> obstacle_contact;
     /// Null if sheets do not collide with each other and no obstacle has a surface.
     std::unique_ptr<SheetContact> sheet_contact;

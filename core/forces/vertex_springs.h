@@ -5,13 +5,14 @@
 
 namespace sherd {
 
-/// Springs of zero rest length from each vertex to an anchor.
+/// Springs of zero rest length from each vertex, or each column from `first` on, to an anchor.
 struct VertexSprings {
     VectorXd stiffness;  ///< [V] N/m
     Positions anchor;    ///< [3, V] m
+    Index first = 0;
 
     std::size_t size() const { return static_cast<std::size_t>(anchor.cols()); }
-    std::array<Index, 1> vertices(std::size_t i) const { return {static_cast<Index>(i)}; }
+    std::array<Index, 1> vertices(std::size_t i) const { return {first + static_cast<Index>(i)}; }
     double value(std::size_t i, const Vector3d& x) const {
         return 0.5 * stiffness[i] * (x - anchor.col(i)).squaredNorm();
     }

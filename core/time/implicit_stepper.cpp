@@ -36,6 +36,7 @@ ImplicitStepper::ImplicitStepper(Shell& shell, const StepperOptions& options, St
       threads(options.threads),
       elastic(shell, forces, options.shell, threads),
       contact(shell, options.contact, start.contact, options.gravity, threads),
+      body_inertia(contact.of_bodies()),
       potential(shell, all_energies(), spent, threads, contact.body_masses()),
       minimiser(minimiser_of(options, threads)) {
     step = scheme->begin(shell, contact.bodies(), time, options.step);
@@ -43,18 +44,19 @@ ImplicitStepper::ImplicitStepper(Shell& shell, const StepperOptions& options, St
 }
 
 void ImplicitStepper::visit_state(StateVisitor& visit) {
-    static_assert(
-        has_only<ImplicitStepper, Stepper, decltype(step), decltype(scheme), decltype(inertia),
-                 decltype(loads), decltype(threads), decltype(elastic), decltype(contact), decltype(opening),
-                 decltype(potential), decltype(minimiser), decltype(path), decltype(unbalanced)>());
+    static_assert(has_only<ImplicitStepper, Stepper, decltype(step), decltype(scheme), decltype(inertia),
+                           decltype(loads), decltype(threads), decltype(elastic), decltype(contact),
+                           decltype(body_inertia), decltype(opening), decltype(potential),
+                           decltype(minimiser), decltype(path), decltype(unbalanced)>());
     Stepper::visit_state(visit);
-    visit(step, *scheme, inertia, elastic, contact, opening, *minimiser, unbalanced);
+    visit(step, *scheme, inertia, elastic, contact, body_inertia, opening, *minimiser, unbalanced);
     if (path) visit(*path);
 }
 
 std::vector<Energy*> ImplicitStepper::all_energies() {
     std::vector<Energy*> all{&inertia, &elastic};
-    for (const std::vector<Energy*>& some : {contact.energies(), loads, contact.frictions(), {&opening}})
+    for (const std::vector<Energy*>& some :
+         {contact.energies(), {&body_inertia}, loads, contact.frictions(), {&opening}})
         all.insert(all.end(), some.begin(), some.end());
     return all;
 }

@@ -79,6 +79,7 @@ class ImplicitStepper : public Stepper {
     Threads threads;
     ElasticEnergy elastic;
     Contact contact;
+    BodyInertia body_inertia;
     OpeningEdges opening{OpeningEdges::Fading::by_time};
     Potential potential;
     std::unique_ptr<Minimiser> minimiser;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/contact/bodies/body_contact.h"
 #include "core/forces/vertex_springs.h"
 #include "core/shell/shell.h"
 #include "core/state_visitor.h"
@@ -30,6 +31,25 @@ class Inertia : public ElementEnergy<VertexSprings> {
     const Shell& shell;
     Vector3d gravity;
     double per_mass = 0;  ///< 1/s^2
+};
+
+/// Inertia and weight of the free bodies in one step: 1 / (2 lag^2) m |q - y|^2 for each body, where q are
+/// its columns (BodyColumns) and y those of the inertial prediction. Rotations have the inertia tensor of the
+/// step's beginning.
+class BodyInertia : public ElementEnergy<VertexSprings> {
+  public:
+    /// bodies: null if there are none; it must outlive this object, and its step must begin first.
+    explicit BodyInertia(const BodyContact* bodies) : ElementEnergy({}), bodies(bodies) {}
+    void begin(const StepContext& step) override;
+    bool has_bodies() const override { return true; }
+    Task task() const override { return Task::other; }
+    void visit_state(StateVisitor& visit) override {
+        static_assert(has_only<BodyInertia, ElementEnergy<VertexSprings>, decltype(bodies)>());
+        ElementEnergy::visit_state(visit);
+    }
+
+  private:
+    const BodyContact* bodies;
 };
 
 }  // namespace sherd

@@ -239,6 +239,7 @@ void BodyContact::add_upcoming(const Positions& x, std::vector<std::pair<Index, 
     for (std::size_t b = 0; b < steps.size(); ++b) {
         std::set<Index> near;
         steps[b].add_near(shell_part(x), all[b], near, found);
+        found.emplace_back(first_column(b) + 1, first_column(b));
         for (const Index vertex : near) add_columns_of(b, vertex);
     }
     for (const PointContact& contact : points) {

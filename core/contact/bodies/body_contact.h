@@ -49,7 +49,6 @@ class BodyContact : public Energy {
         return x.middleCols<2>(first_column(body));
     }
     const BodyColumns& prediction(std::size_t body) const { return steps[body].prediction(); }
-    double inertia(std::size_t body) const { return steps[body].inertia(); }  ///< N/m, of its columns
 
     /// Moves the bodies to the end of the step; it stays open.
     void end_step();

@@ -47,8 +47,6 @@ class BodyStep {
     BodyColumns columns(const Vector6d& motion) const;
     /// The columns without contact: the inertial prediction.
     const BodyColumns& prediction() const { return predicted; }
-    /// Inertia, N/m, of each coordinate of the columns.
-    double inertia() const { return body.mass / (lag * lag); }
     /// The body at the end of the step.
     RigidBody moved(const BodyColumns& q) const;
     /// Rates of the linear and of the angular momentum, N and N m, when the body ends the step as `end`.
