@@ -45,9 +45,6 @@ class BodyContact : public Energy {
     /// is at x [3, V].
     void predict(const Positions& x);
     Index first_column(std::size_t body) const { return static_cast<Index>(shell.mass.size() + 2 * body); }
-    BodyColumns columns_of(std::size_t body, const Positions& x) const {
-        return x.middleCols<2>(first_column(body));
-    }
     const BodyColumns& prediction(std::size_t body) const { return steps[body].prediction(); }
 
     /// Moves the bodies to the end of the step; it stays open.
