@@ -60,7 +60,7 @@ class Potential {
     /// Calls `action` with each energy, and books the time on its task.
     template <class Action>
     void each(const Action& action) const;
-    /// The same with the positions that the energy takes: x, or the part that has the vertices.
+    /// Calls `action` with each energy and the positions that it takes: x, or the columns of the vertices.
     template <class Action>
     void each(const Positions& x, const Action& action) const;
     /// The sum of the gradients of all energies, or of those of contact and friction.

@@ -325,7 +325,7 @@ double BodyContact::work_of_deforming() const {
 
 void BodyContact::add_reactions(std::span<Reaction> of_obstacles) const {
     const auto add = [&](const BodyForce& force, const auto&) {
-        // Of the two colliders between which the force acts, an obstacle has the greater number.
+        // An obstacle has the greater number of the two colliders between which the force acts.
         std::size_t number = 0;
         for (int i = 0; i < force.count; ++i) number = std::max(number, force.points[i].collider);
         for (int i = 0; i < force.count && !is_free(number); ++i)

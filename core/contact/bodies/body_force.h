@@ -11,7 +11,7 @@ namespace sherd {
 /// forces act.
 struct BodyForce {
     struct Point {
-        Index vertex;          ///< of the shell; -1: the point is on a collider
+        Index vertex;          ///< vertex of the shell; -1: the point is on a collider
         std::size_t collider;  ///< number of the collider, bodies before obstacles
     };
     int count;

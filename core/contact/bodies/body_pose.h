@@ -21,7 +21,7 @@ Matrix3d rotation_jacobian(const Vector3d& rotation);
 /// The pose of a collider, and how a body's points move with its columns.
 struct BodyPose {
     Eigen::Isometry3d place;  ///< from the collider's frame to space
-    Matrix3d jacobian;        ///< of the rotation, rad/m, by the body's second column; zero for an obstacle
+    Matrix3d jacobian;  ///< derivative, rad/m, of the rotation by the body's second column; obstacles: zero
 
     /// Derivative, by the second column, of the body's point at `x` (m, in space).
     Matrix3d turning(const Vector3d& x) const {

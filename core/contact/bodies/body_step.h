@@ -27,7 +27,7 @@ constexpr double ahead_of_contact = 0.1;
 ContactSurface surface_with(const Shell& shell, const RigidBody& body, std::size_t number,
                             bool springs = false);
 
-/// One free rigid body in one step: its motion, and its contact with the shell, by the springs of
+/// A free rigid body in one step: its motion, and its contact with the shell, by the springs of
 /// VertexContact with the shell's vertices, and by the barriers of SheetContact with its triangles and edges.
 /// The forces on the two sides of a contact are equal and opposite. In all functions x are the positions of
 /// the shell, [3, V] m, and q the columns of the body.
