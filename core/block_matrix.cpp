@@ -107,11 +107,11 @@ void BlockMatrix::find_blocks(Index vertices, const std::vector<std::pair<Index,
     std::vector<std::size_t> first(vertices + 1, 0);  // start of each column in `named`
     for (const auto& [i, j] : pairs) ++first[std::min(i, j) + 1];
     std::partial_sum(first.begin(), first.end(), first.begin());
-    std::vector<Index> named(pairs.size());  // rows, as often as pairs name them
+    std::vector<Index> named(pairs.size());  // rows of each column, repeated as in `pairs`
     std::vector<std::size_t> next = first;
     for (const auto& [i, j] : pairs) named[next[std::min(i, j)]++] = std::max(i, j);
 
-    std::vector<Index> last_column(vertices, -1);  // column in which each row was last found
+    std::vector<Index> last_column(vertices, -1);  // the last column in which each row was found
     block_start.push_back(0);
     for (Index j = 0; j < vertices; ++j) {
         last_column[j] = j;

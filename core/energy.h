@@ -24,11 +24,10 @@ struct Energy {
     virtual ~Energy() = default;
     /// Prepares for a step, which begins at the shell's positions and velocities.
     virtual void begin(const StepContext& /*step*/) {}
-    /// Must be called when the shell has other vertices, hinges or crack faces; the open step
-    /// continues.
+    /// Must be called after a change of the shell's vertices, hinges or crack faces; the open step continues.
     virtual void topology_changed(const ShellChange& /*change*/, const StepContext& step) { begin(step); }
-    /// Whether the free bodies' columns (BodyColumns) follow those of the V vertices in x, and in what is
-    /// added to by the functions below.
+    /// Whether positions, gradients and Hessians in the functions below include the columns of the free
+    /// bodies (BodyColumns), after the columns of the V vertices.
     virtual bool has_bodies() const { return false; }
 
     /// Energy, J. x: [3, V] m.
@@ -37,20 +36,21 @@ struct Energy {
     virtual double round_off() const { return 0; }
     /// Adds dE/dx, N, to gradient [3, V]; the force is its negative.
     virtual void add_gradient(const Positions& x, Positions& gradient) const = 0;
-    /// Adds d2E/dx2, N/m.
+    /// Adds d2E/dx2 at x, N/m, or its convex approximation.
     virtual void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const = 0;
-    /// Appends the pairs of vertices that have a block in the Hessian as long as the shell does not change.
+    /// Appends the pairs of vertices that have a block in the Hessian at all positions, until the shell
+    /// changes.
     virtual void add_pattern(std::vector<std::pair<Index, Index>>& /*pairs*/) const {}
-    /// Appends the pairs that depend on the positions: those with a block at x and, with `ahead`, those that
-    /// are likely to have one after small motions.
+    /// Appends the pairs of vertices whose blocks depend on the positions: the pairs with a block in the
+    /// Hessian at x and, if `ahead`, also the pairs that are likely to have a block after small motions.
     virtual void add_contacts(const Positions& /*x*/, bool /*ahead*/,
                               std::vector<std::pair<Index, Index>>& /*pairs*/) const {}
     /// Fraction, 0 to 1, of a straight motion from x up to which the energy stays finite.
     virtual double safe_fraction(const Positions& /*x*/, const Positions& /*motion*/) const { return 1; }
-    /// Contribution to the Hessian for each unit of a vertex's mass, in each direction, 1/s^2, without that
-    /// of the air, which is proportional to area.
+    /// Contribution of inertia and mass damping to each diagonal entry of the Hessian, divided by the
+    /// vertex's mass, 1/s^2. Forces of the air, which are proportional to area, are not included.
     virtual double hessian_per_mass() const { return 0; }
-    /// The task that the energy's computing time is booked on.
+    /// The task to whose account the energy's computing time is added.
     virtual Task task() const { return Task::elasticity; }
 
     /// Visits the state that begin() does not compute.

@@ -10,7 +10,7 @@ namespace sherd {
 /// computed in batches (ElasticGradient).
 class ElasticEnergy : public Energy {
   public:
-    /// Shell and energies must outlive this object. options: of the energies.
+    /// Shell and energies must outlive this object. options: the options with which `energies` were made.
     ElasticEnergy(const Shell& shell, ShellEnergies& energies, const ShellEnergyOptions& options,
                   const Threads& threads)
         : parts(energies.elastic()), batches(shell, energies, options, threads) {}
@@ -22,7 +22,7 @@ class ElasticEnergy : public Energy {
     void add_gradient(const Positions& x, Positions& gradient) const override;
     void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const override;
     void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const override;
-    /// Visits nothing: the owner of the parts visits them.
+    /// Visits nothing: the owner of the energies visits their state.
     void visit_state(StateVisitor& visit) override {
         [[maybe_unused]] auto& [parts, batches] = *this;
         if (visit.reads()) batches.shell_changed();
@@ -31,7 +31,7 @@ class ElasticEnergy : public Energy {
 
   private:
     std::vector<Energy*> parts;
-    mutable ElasticGradient batches;  ///< has buffers
+    mutable ElasticGradient batches;  ///< mutable because of its buffers
 };
 
 }  // namespace sherd

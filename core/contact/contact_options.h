@@ -8,15 +8,15 @@ namespace sherd {
 
 struct ContactOptions {
     std::vector<Obstacle> obstacles = {};
-    std::vector<RigidBody> bodies = {};  ///< at the start of the run
+    std::vector<RigidBody> bodies = {};  ///< state at the start of the run
     bool sheets = false;                 ///< whether sheets collide with each other and with themselves
     double friction = 0;                 ///< Coulomb coefficient between sheets
-    /// Whether implicit steps may follow explicit ones, which then fail where a pair gets too near for a
-    /// barrier.
+    /// Whether implicit steps may follow explicit steps. An explicit step then fails if a pair is too near at
+    /// its end for the barrier of implicit steps.
     bool barriers_follow = false;
 };
 
-/// State of contact where a stepper begins.
+/// State of contact when a stepper begins.
 struct ContactStart {
     std::vector<RigidBody> bodies = {};
     std::vector<char> crossed = {};  ///< see surface_pairs()

@@ -7,7 +7,8 @@
 namespace sherd {
 namespace {
 
-/// The first vertex that is known to be in a vertex's piece.
+/// Returns the lowest vertex that is known to be in a vertex's piece: the root of the vertex's tree of links,
+/// which is shortened (union-find).
 Index root(std::vector<Index>& link, Index vertex) {
     while (link[vertex] != vertex) vertex = link[vertex] = link[link[vertex]];
     return vertex;

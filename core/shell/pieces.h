@@ -8,14 +8,15 @@
 
 namespace sherd {
 
-/// The pieces of a shell that its faces, and perhaps other links, connect.
+/// The connected pieces of a shell. Vertices are connected by faces and, if given, by further links.
 struct Pieces {
-    std::vector<Index> of_vertex;  ///< [V + others]
+    std::vector<Index> of_vertex;  ///< [V + others] number of each vertex's piece
     Index count = 0;
 };
 
 /// Finds the pieces, numbered from 0 in the order of their first vertices. links: further pairs of vertices
-/// in one piece. others: number of further columns, counted from V on, that the links may name.
+/// that are connected. others: number of further columns (as of bodies), numbered from V on, that `links` may
+/// contain.
 Pieces pieces(const Shell& shell, const std::vector<std::pair<Index, Index>>& links = {}, Index others = 0);
 
 }  // namespace sherd

@@ -7,7 +7,8 @@
 namespace sherd {
 namespace {
 
-/// Sets the Hessian at x; with positions `elsewhere`, the contact part is the mean of both.
+/// Sets `matrix` to the Hessian at x; if `elsewhere` is not null, the contribution of contact is the mean of
+/// the contributions at x and at `elsewhere`.
 void set_hessian(const Potential& potential, const Positions& x, const Positions* elsewhere,
                  Curvature curvature, BlockMatrix& matrix) {
     potential.hessian(x, curvature, matrix);
@@ -36,7 +37,7 @@ VertexGraph::VertexGraph(Index vertices, const std::vector<std::pair<Index, Inde
         all[next[j]++] = i;
     }
     first.push_back(0);
-    std::vector<Index> last(vertices, -1);  // vertex around which each was found last
+    std::vector<Index> last(vertices, -1);  // the last vertex around which each vertex was found
     for (Index v = 0; v < vertices; ++v) {
         last[v] = v;
         for (std::size_t at = named[v]; at < named[v + 1]; ++at)

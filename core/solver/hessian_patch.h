@@ -13,11 +13,11 @@
 
 namespace sherd {
 
-/// Neighbours of each vertex: the others with which it has a block.
+/// The neighbours of each vertex: the other vertices with which it has a block in the Hessian.
 class VertexGraph {
   public:
     VertexGraph() = default;
-    /// pairs: in any order, repeated or not.
+    /// pairs: vertices with a common block, in any order; a pair may be repeated.
     VertexGraph(Index vertices, const std::vector<std::pair<Index, Index>>& pairs);
     std::span<const Index> around(Index vertex) const {
         return {neighbour.data() + first[vertex], first[vertex + 1] - first[vertex]};
@@ -32,21 +32,22 @@ class VertexGraph {
 /// Part of a shell whose equations are solved with the present Hessian while the vertices around it are held.
 class HessianPatch {
   public:
-    /// Factorizes the Hessian at x inside; with positions `elsewhere` (null: none), the contact part is the
-    /// mean of both. graph: of all blocks but those of contacts. inside: [V] flags. Returns false if the
-    /// part's matrix, even the convex one, is not positive definite.
+    /// Factorizes the rows and columns of the Hessian at x that belong to the vertices with a flag `inside`,
+    /// [V]. If `elsewhere` is not null, the contribution of contact is the mean of the contributions at x and
+    /// at `elsewhere`. graph: neighbours by all blocks except blocks of contacts. Returns false if neither
+    /// the exact nor the convex matrix of the part is positive definite.
     bool build(const Potential& potential, const VertexGraph& graph, const Positions& x,
                const Positions* elsewhere, const std::vector<char>& inside, const Threads& threads);
     void clear() { matrix.reset(); }
     bool empty() const { return !matrix; }
-    /// Displacement inside, m, with which the forces there vanish; zero elsewhere. right_side: N, [3, V].
+    /// Displacement, m, [3, V], with which the forces `right_side`, N, [3, V], vanish inside; zero outside.
     Positions solve(const Positions& right_side) const;
-    /// right_side less the Hessian times a motion: correct for the vertices inside, and for all vertices if
-    /// the motion is zero elsewhere.
+    /// Returns right_side - Hessian * motion: correct for the vertices inside, and for all vertices if the
+    /// motion is zero outside.
     Positions residual(Positions right_side, const Positions& motion) const;
 
   private:
-    std::vector<Index> vertices;  ///< vertices inside and next to it, ascending
+    std::vector<Index> vertices;  ///< vertices inside, and their neighbours, ascending
     std::vector<Index> inner;     ///< vertices inside, ascending
     std::optional<BlockMatrix> matrix;
     std::unique_ptr<LinearSolver> solver;

@@ -12,17 +12,19 @@
 namespace sherd {
 namespace {
 
-/// Change of the contact stiffness of a vertex that needs no patch: as a share of its diagonal block, and of
-/// the resistance of a loose piece, in the direction in which that is softest compared with the change; and
-/// as a share of a known contact stiffness. A block is far stiffer than the rigid motions and long waves of
-/// sheets and shards, so that a share of it may be many times their stiffness; a contact stiffness that
-/// changes by a share of itself remains a good preconditioner for these, too.
+/// A change of a vertex's contact stiffness needs no patch if, in every direction, it is at most the share
+/// `small_part` of a known contact stiffness plus the share `small_change` of the vertex's diagonal block
+/// and, in a loose piece, also at most the share `small_change` of known contact stiffness and inertia of the
+/// piece. The bound by inertia is needed because a block is far stiffer than the rigid motions and long waves
+/// of sheets and shards: a small share of it may be many times their stiffness. A contact stiffness that
+/// changes by a share of itself remains a good preconditioner for these motions, too.
 constexpr double small_change = 0.03, small_part = 0.3;
-/// Number of systems in a search from which on a contact stiffness that one of them had is taken to
-/// alternate.
+/// Number of systems of a search that are remembered. If the contact stiffness of each vertex is close to its
+/// value in one of them, contacts are taken to alternate.
 constexpr std::size_t most_fitted = 5;
-constexpr int rings_around = 3;        // rings of a patch around changed vertices
-constexpr double largest_patch = 0.4;  // share of the vertices, beyond which a factor costs little more
+constexpr int rings_around = 3;  // rings of triangles that a patch has around changed vertices
+/// Share of the vertices; a factor costs little more than a larger patch.
+constexpr double largest_patch = 0.4;
 
 void grow(const Shell& shell, std::vector<char>& flags) {
     const std::vector<char> before = flags;

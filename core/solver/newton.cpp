@@ -8,12 +8,12 @@ namespace sherd {
 namespace {
 
 constexpr double sufficient_decrease = 1e-4;  // Armijo's constant
-constexpr double flattening = 0.9;            // ratio of slopes accepted where round-off hides the decrease
+constexpr double flattening = 0.9;  // largest accepted ratio of slopes where round-off hides the decrease
 constexpr int max_halvings = 40;
 
-/// Moves x along `direction`, up to safe_fraction(), halving the step until the potential decreases. Since
-/// round-off of the value is large compared with the last decreases, a step that flattens the slope is
-/// accepted too.
+/// Moves x along `direction`, up to safe_fraction(), halving the step until the potential decreases. Near the
+/// minimum round-off hides the decrease; there a step that reduces the slope is accepted, too. slope: J,
+/// derivative of the potential along `direction` at x. Returns whether x has moved.
 bool line_search(const Potential& potential, const Positions& direction, double slope, Positions& x) {
     double scale = potential.safe_fraction(x, direction);
     if (scale == 0) return false;

@@ -11,17 +11,18 @@ namespace sherd {
 namespace {
 
 /// Weights of the convex Hessian, blended with the exact one, that are tried until the matrix is positive
-/// definite. For a sheet that buckles the exact one is nearly definite, and the convex one, without any
-/// compression, is so much stiffer that iterations progress slowly.
+/// definite. For a sheet that buckles the exact Hessian is nearly definite, and the convex one, which leaves
+/// out the softening by compression, is so much stiffer that iterations with it progress slowly.
 constexpr std::array shares_of_convex{0.0, 0.25, 1.0};
 constexpr int longest_wait = 16;
-/// A pattern is rebuilt if fewer than the share `few_left` of its contacts remain, and they were more than
-/// the share `many_pairs` of its rows.
+/// A pattern is rebuilt if fewer than the share `few_left` of its pairs in contact remain, and the number of
+/// these pairs was more than the share `many_pairs` of the number of scalar rows.
 constexpr double few_left = 0.5, many_pairs = 0.02;
-/// Largest cost of a factorization in a kept elimination order, over its cost when the order was chosen.
+/// Largest cost of a factorization in a kept elimination order, over the cost when the solver chose an order.
 constexpr double most_growth = 1.1;
 
-/// An elimination order with further vertices (see with_children()), which come before the columns of bodies.
+/// Extends an elimination order of vertices and `bodies` columns of bodies by inserted vertices, which take
+/// the numbers after the other vertices and before the bodies: see with_children().
 std::vector<Index> with_inserted(const std::vector<Index>& order, std::vector<Index> parents, Index bodies) {
     const auto vertices = static_cast<Index>(order.size()) - bodies,
                inserted = static_cast<Index>(parents.size());
@@ -103,7 +104,7 @@ void NewtonSystem::factorize(const Potential& potential, const Positions& x) {
         const bool is_exact = !first && shares_of_convex[share - 1] == 0;
         if (!has_factor(potential, x, share, is_exact)) continue;
         if (first && lowers) wait = 1;
-        if (!first) {  // an early attempt wastes a factorization: wait longer the next time
+        if (!first) {  // the failed attempt wasted a factorization: wait longer before the next lower share
             wait = std::min(2 * wait, longest_wait);
             tried = 0;
         }

@@ -7,13 +7,13 @@
 namespace sherd {
 
 /// The sum of energies as a function of the free vertices and bodies, for a minimiser. Fixed vertices do not
-/// take part: their rows of gradient and Hessian are those of the identity. Neither do guided vertices in the
-/// directions that their guides block. The unknowns x are [3, N] m: the V vertices of the shell, then two
-/// columns for each body (BodyColumns).
+/// take part: their rows of the gradient are zero, and their rows of the Hessian are rows of the identity.
+/// Guided vertices do not take part in the directions that their guides block. The unknowns x are [3, N] m:
+/// the V vertices of the shell, then two columns for each body (BodyColumns).
 class Potential {
   public:
     /// Energies, shell and `spent` must outlive this object. The energies are summed in the given order.
-    /// threads: used for Hessians. body_masses: kg, of the free bodies.
+    /// threads: used for Hessians. body_masses: masses of the free bodies, kg.
     Potential(const Shell& shell, std::vector<Energy*> energies, TimeSpent& spent,
               Threads threads = Threads(), std::vector<double> body_masses = {})
         : shell(shell),
@@ -24,17 +24,18 @@ class Potential {
 
     void begin(const StepContext& step);
     void topology_changed(const ShellChange& change, const StepContext& step);
-    /// Contribution of inertia and mass damping to the Hessian in the open step, for each unit of mass,
-    /// 1/s^2.
+    /// Contribution of inertia and mass damping to each diagonal entry of the Hessian in the open step,
+    /// divided by the vertex's mass, 1/s^2.
     double hessian_per_mass() const;
 
     double value(const Positions& x) const;        ///< J
     double round_off() const;                      ///< J, bound on the value's error by cancellation
     Positions gradient(const Positions& x) const;  ///< N, [3, N]
-    /// Gradient with the components that pins and guides block, N, [3, N].
+    /// Gradient, N, [3, N], including the components that pins and guides block.
     Positions gradient_with_blocked(const Positions& x) const;
-    Positions contact_gradient(const Positions& x) const;  ///< N, [3, N], of contact and friction alone
-    /// The pairs of columns that have a block in all Hessians, repeated or not.
+    /// Gradient of the energies of contact and friction, N, [3, N].
+    Positions contact_gradient(const Positions& x) const;
+    /// The pairs of columns that have a block in the Hessian at all positions; a pair may be repeated.
     std::vector<std::pair<Index, Index>> pattern() const;
     /// Diagonal blocks of the contribution of contact and friction to the Hessian at x, N/m, [N].
     std::vector<Matrix3d> contact_stiffness(const Positions& x) const;
@@ -45,7 +46,7 @@ class Potential {
     void hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const;
     /// Sets the matrix to the contribution of contact and friction alone.
     void contact_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const;
-    /// Fraction, 0 to 1, of a motion from x, [3, N] m, straight in the unknowns, in which nothing passes
+    /// Fraction, 0 to 1, of a straight motion of the unknowns from x, [3, N] m, up to which nothing passes
     /// through a sheet or a body.
     double safe_fraction(const Positions& x, const Positions& motion) const;
     const Shell& mechanics() const { return shell; }
@@ -57,13 +58,14 @@ class Potential {
     TimeSpent& time_spent() const { return spent; }
 
   private:
-    /// Calls `action` with each energy, and books the time on its task.
+    /// Calls `action` with each energy, and adds the computing time to the account of the energy's task.
     template <class Action>
     void each(const Action& action) const;
-    /// Calls `action` with each energy and the positions that it takes: x, or the columns of the vertices.
+    /// Calls `action` with each energy and its positions: x if the energy has bodies, else the columns of x
+    /// that belong to vertices.
     template <class Action>
     void each(const Positions& x, const Action& action) const;
-    /// The sum of the gradients of all energies, or of those of contact and friction.
+    /// The sum of the gradients of all energies or, if `of_contact`, of the energies of contact and friction.
     Positions sum_of_gradients(const Positions& x, bool of_contact) const;
 
     const Shell& shell;

@@ -12,12 +12,13 @@
 namespace sherd {
 namespace {
 
-constexpr double outer_force = 1e-9;  // share of all contact forces, below which an outer force is round-off
+/// Share of the sum of contact forces on a piece, below which their resultant is round-off.
+constexpr double outer_force = 1e-9;
 
-/// Changes the last correction of a step so that each loose piece or body, or pieces and bodies in contact
-/// with each other together, keep their linear momentum, less the loss by mass damping; an approximate
-/// inverse Hessian does not keep it. Pieces that are held, or touch an obstacle, or would move by more than
-/// `tolerance` (m), are left as they are. gradient: N, at x.
+/// Changes the last correction of a step so that the linear momentum of each group of loose pieces and bodies
+/// in contact with each other changes by loads and mass damping alone; with an approximate inverse Hessian it
+/// has an error. Groups that are held, or touch an obstacle, or would move by more than `tolerance` (m), are
+/// left as they are. gradient: N, at x.
 void conserve_momentum(const Potential& potential, const Positions& x, const Positions& gradient,
                        double tolerance, Positions& correction) {
     const double hessian_per_mass = potential.hessian_per_mass();
@@ -47,66 +48,74 @@ void conserve_momentum(const Potential& potential, const Positions& x, const Pos
         if (masses[v] > 0 && !is_held[all.of_vertex[v]]) correction.col(v) += shift.col(all.of_vertex[v]);
 }
 
-/// Iterations that take about as long as one of Newton's method.
+/// Number of iterations that take about as long as an iteration of Newton's method.
 constexpr int per_newton_iteration = 4;
-/// A step is not too long if the slope at its end is at most this share of that at its beginning, upwards: on
-/// a parabola it then has lowered the potential (Hager, Zhang 2005, the approximate Wolfe conditions, which
-/// round-off of the potential does not touch).
+/// The slope at the beginning of a step is negative. A step is not too long if the slope at its end is
+/// negative, or positive and at most this share of the size of the slope at the beginning: on a parabola such
+/// a step lowers the potential (Hager, Zhang 2005, the approximate Wolfe conditions, which are not affected
+/// by round-off of the potential).
 constexpr double steepest_end = 0.8;
 constexpr int most_trials = 30;
-/// After a longer step that was too long, a step is not too short if the slope has fallen to the share
-/// `least_end`, or the two steps differ by less than the share `narrow`, or after `enough_trials` trials.
+/// After a longer step that was too long, a step is not too short if the size of the slope has fallen to the
+/// share `least_end` of its size at the beginning, or if the two steps differ by less than the share
+/// `narrow`, or after `enough_trials` trials.
 constexpr double least_end = 0.5, narrow = 0.2;
 constexpr int enough_trials = 4;
-/// Share of the slope at the beginning; a steeper slope has met no contact yet.
+/// Share of the slope at the beginning of a step: as long as the slope is steeper, the step has met no
+/// contact.
 constexpr double nothing_met = 0.9;
-/// Length over the mean edge length that a correction is followed at first, before its slope is evaluated.
-/// Contact detection takes the longer the longer a motion is, and most longer corrections are wrong.
+/// Largest coordinate of a motion, over the mean edge length, up to which a correction is followed before the
+/// slope is evaluated for the first time: contact detection takes more time for longer motions, and most
+/// longer corrections are wrong.
 constexpr double share_of_edge = 0.1;
-/// Iterations that a search takes with a new factor; and how many times the cost of a factorization a search
-/// may spend on iterations before it gets a new factor, whatever its rate.
+/// Number of iterations that a search typically takes with a new factor; and multiple of the cost of a
+/// factorization that a search may spend on iterations before it gets a new factor, however fast its
+/// corrections fall.
 constexpr double typical_with_new_factor = 2, most_with_a_factor = 6;
-/// The first corrections with a factor do not show their rate yet, unless one is far too long: the slope
-/// rises before this share of it.
+/// The first corrections with a factor do not show yet how fast corrections fall, unless a correction is far
+/// too long: the line search accepts less than the share `far_too_long` of it.
 constexpr int first_corrections = 3;
 constexpr double far_too_long = 0.5;
-/// If the second correction of a new factor is far too long, each correction gets a new factor until one
-/// falls to this share of the one before: the Hessian changes as fast as the sheet moves.
+/// If the second correction with a new factor is far too long, the Hessian changes as fast as the sheet
+/// moves. Each correction then gets a new factor until a correction is below this share of the one before.
 constexpr double falls_fast = 0.2;
-/// If the first correction of an old factor is far too long, at most this number of searches begin with a new
-/// factor.
+/// If the first correction with an old factor is far too long, the next searches begin with a new factor: at
+/// most this number of searches.
 constexpr int most_fresh_searches = 16;
-/// Slowest rate at which corrections are taken to fall. It is the rate until two corrections of the same
-/// system are known, and no rate is taken to be faster than the one before: a system that is too stiff makes
-/// small corrections.
+/// Slowest rate (ratio of a correction to the one before) that is assumed. It is assumed until two
+/// corrections of the same system are known. Later the slower one of the last two rates is assumed, since a
+/// system that is too stiff makes small corrections.
 constexpr double slowest_rate = 0.99;
-/// Share of the tolerance that the distance left to the minimum may have. The last correction of Newton's
-/// method is the square of the one before, and the distance left after it far smaller; energy balances show
-/// it.
+/// Largest distance left to the minimum, over the tolerance; also the distance assumed to be left after a
+/// correction with the Hessian at x, over this correction. Newton's method converges quadratically, so that
+/// far less than the tolerance is left after its last correction; energy balances would show a larger
+/// distance.
 constexpr double may_be_left = 0.1;
-/// A correction shows the distance to the minimum if the largest force falls to the share `forces_fall`. It
-/// does not where a contact has become far too stiff: its force is then halved at best, and positions that
-/// hardly move do not show the error. Up to `most_more` corrections follow then, unless one is below
-/// `share_of_round_off` of the tolerance, where only round-off is left.
+/// A small correction shows that the minimum is near if it reduces the largest force to the share
+/// `forces_fall`. Where the system has a far too stiff contact, corrections are small in any case, and halve
+/// the contact force at best. Up to `most_more` corrections follow then, unless a correction is below the
+/// share `share_of_round_off` of the tolerance, where only round-off is left.
 constexpr double forces_fall = 0.3, share_of_round_off = 1e-3;
 constexpr int most_more = 20;
-/// Time of the forces and all else in an iteration, and of a Hessian, in entries of a factor for each vertex
-/// that take as long.
+/// Time of an iteration without its solution (mostly of the forces), and time to compute a Hessian, for each
+/// vertex, in the unit of FactorCost.
 constexpr double entries_of_forces = 1000, entries_of_hessian = 2500;
 
 /// A point along a correction.
 struct Place {
     double scale = 0;  ///< share of the correction
-    double slope = 0;  ///< J
+    double slope = 0;  ///< J, derivative of the potential along the correction
 };
 
-/// Returns the share to try between a point that is near enough and one that is too far. farther: one beyond
-/// that, if its share is not 0.
+/// Returns the share of the correction to try between `near`, a point that is not too far, and `far`, a point
+/// that is. farther: a point beyond `far`; none if its scale is 0. slope: J, at the beginning of the
+/// correction.
 double between(const Place& near, const Place& far, const Place& farther, double slope) {
     const double secant = std::isfinite(far.slope) ? near.slope / (near.slope - far.slope) : 0;
     const double safe = near.scale + (far.scale - near.scale) * std::clamp(secant, 0.1, 0.6);
     if (farther.scale == 0 || near.slope > nothing_met * slope) return safe;
-    // A stiff contact begins on the way, and from there on the slope is nearly straight.
+    // A stiff contact begins between `near` and `far`. Beyond its beginning the slope is nearly linear, so
+    // that `far` and `farther` show where it is zero.
     const double met = far.scale - far.slope * (farther.scale - far.scale) / (farther.slope - far.slope);
     return met > safe && met < far.scale ? met : safe;
 }
@@ -115,7 +124,7 @@ double between(const Place& near, const Place& far, const Place& farther, double
 
 void QuasiNewton::topology_changed(const ShellChange& change, const Potential& potential, const Positions&) {
     system.topology_changed(change, potential.body_columns());
-    fresh_searches = 0;  // a crack does not move the sheet
+    fresh_searches = 0;  // a crack does not move the sheet, so that an old factor still fits
 }
 
 double QuasiNewton::iterations_per_factorization(const Potential& potential) const {
@@ -162,7 +171,8 @@ double QuasiNewton::left(const Positions& direction, Search& search) {
     const double slower = is_known ? std::min(std::max(rate, search.rate), slowest_rate) : slowest_rate;
     search.rate = rate;
     search.last = now;
-    // The distance left after an exact correction is far smaller than it, as in Newton's method.
+    // After a correction with the Hessian at x, the distance left is far smaller than the correction, as in
+    // Newton's method.
     return search.exact ? may_be_left * now : now * std::max(1.0, slower / (1 - slower));
 }
 
@@ -172,7 +182,7 @@ bool QuasiNewton::advance(const Potential& potential, const Positions& direction
     double whole = limit * potential.safe_fraction(x, limit * direction);
     double scale = whole;
     Place near{0, slope}, far, farther;
-    Positions gradient;  // at near
+    Positions gradient;  // gradient at `near`
     for (int trial = 0; trial < most_trials && scale > 0; ++trial) {
         Positions there = potential.gradient(x + scale * direction);
         const double end = there.cwiseProduct(direction).sum();
@@ -187,8 +197,8 @@ bool QuasiNewton::advance(const Potential& potential, const Positions& direction
                 scale = whole = std::max(near.scale, potential.safe_fraction(x, direction));
                 continue;
             }
-            // A step has to reach a contact that begins on the way, instead of approaching it in ever smaller
-            // steps.
+            // A step has to reach a contact that begins along it, instead of approaching the contact in ever
+            // smaller steps.
             if (far.scale == 0 || end > least_end * slope || far.scale - near.scale < narrow * near.scale ||
                 trial > enough_trials)
                 break;
@@ -231,7 +241,8 @@ void QuasiNewton::refit(const Potential& potential, const Positions& x, Search& 
         search.updates.clear();
         search.last = 0;
         search.iterations = 0;
-        search.too_long = false;  // because of a contact
+        // The last correction was too long because of a contact, which the patch now contains.
+        search.too_long = false;
     }
     if (!is_slow(potential, search)) return;
     search.always_factorize = !search.is_old && search.too_long && search.total == 2;

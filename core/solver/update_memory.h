@@ -15,16 +15,16 @@ class UpdateMemory {
   public:
     explicit UpdateMemory(std::size_t size) : size(size) {}
     void clear() { updates.clear(); }
-    /// Adds a step, m, and the change of the gradient along it, N; [3, V] each. Steps without positive
-    /// curvature are ignored.
+    /// Adds a step, m, [3, N], and the change of the gradient along the step, N, [3, N] (see Potential).
+    /// Steps without positive curvature are ignored.
     void add(Positions step, Positions change) {
         const double product = step.cwiseProduct(change).sum();
         if (!(product > least_cosine * step.norm() * change.norm())) return;
         if (updates.size() == size) updates.pop_front();
         updates.push_back({std::move(step), std::move(change), 1 / product});
     }
-    /// The approximate inverse Hessian times a gradient, m, [3, V]. solve(residual): applies the inverse to
-    /// be corrected.
+    /// Returns the corrected inverse Hessian times a gradient, m, [3, N]. solve(gradient) applies the inverse
+    /// Hessian that is to be corrected.
     template <class Solve>
     Positions apply(Positions gradient, const Solve& solve) const {
         std::vector<double> shares(updates.size());

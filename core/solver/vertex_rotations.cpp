@@ -10,7 +10,8 @@ namespace {
 constexpr int most_rounds = 12;
 constexpr double close_enough = 1e-10;
 
-/// The columns are two edges and the normal, as long as the face is wide, so that all have a length.
+/// Returns a matrix whose columns are two edges of a face and its normal, scaled to the square root of twice
+/// the area, so that all columns have the unit of a length.
 Matrix3d frame(const std::array<Index, 3>& vertices, const Positions& x) {
     Matrix3d columns;
     columns.col(0) = x.col(vertices[1]) - x.col(vertices[0]);
@@ -20,8 +21,8 @@ Matrix3d frame(const std::array<Index, 3>& vertices, const Positions& x) {
     return columns;
 }
 
-/// The rotation of the polar decomposition, by Newton's iteration (Higham 1986); the identity where there is
-/// none.
+/// The rotation of the polar decomposition, by Newton's iteration (Higham 1986); the identity if the
+/// determinant is not positive or the iteration does not converge.
 Matrix3d rotation(const Matrix3d& gradient) {
     const double determinant = gradient.determinant();
     if (!(determinant > 0)) return Matrix3d::Identity();

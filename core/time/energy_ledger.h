@@ -7,32 +7,34 @@ namespace sherd {
 
 /// The work of a step.
 struct StepWork {
-    /// All accounts that the ledger does not fill itself, J: lost_to_scheme is the kinetic energy that the
-    /// scheme dissipates, lost_to_cracks the energy that edges dissipate while they open.
+    /// All accounts that the ledger does not compute itself, J. Here lost_to_scheme is only the kinetic
+    /// energy that the scheme dissipates, and lost_to_cracks only the energy that edges dissipate while they
+    /// open.
     EnergyBalance balance;
     /// Work against the forces of elasticity and contact, less the dissipation of friction and yielding, J.
-    /// The stored energy would grow by this amount if the forces were those along the path.
+    /// The stored energy would grow by this amount if the work were integrated exactly along the path.
     double against_stored = 0;
 };
 
-/// Energy balance of a run, step by step, from energies (J) that the stepper computes. Stored energy is that
-/// of elasticity and contact; moving energy is kinetic energy plus the potential energy of gravity.
+/// Energy balance of a run, step by step, from energies (J) that the stepper computes. Stored energy is the
+/// energy of elasticity and contact; moving energy is kinetic energy plus the potential energy of gravity.
 class EnergyLedger {
   public:
-    /// Opens a step with the energies at its beginning, and discards an open step. Stored energy lost since
-    /// the last step, by changes of the shell, counts as lost to cracks, moving energy as lost to remeshing.
+    /// Opens a step with the energies at its beginning, and discards an open step. Stored energy that changes
+    /// of the shell have removed since the last step counts as lost to cracks; moving energy counts as lost
+    /// to remeshing.
     void begin(double stored, double moving);
-    /// Must be called when the next step has another scheme or contact stiffness, so that it may store a
-    /// different energy at the same positions. The difference counts as lost to the scheme.
+    /// Must be called when the next step has another scheme or contact stiffness, so that the stored energy
+    /// may differ at the same positions. The difference counts as lost to the scheme.
     void scheme_changed() { is_rebased = true; }
-    /// Sets the stored energy of the solution, from which a change of the shell will begin.
+    /// Sets the stored energy of the solution, with which topology_changed() compares.
     void solved(double stored) { solution = stored; }
-    /// Sets the moving energy of the solution, for schemes whose solution includes velocities; without a call
-    /// it is that of the beginning of the step.
+    /// Sets the moving energy of the solution, for schemes whose solution includes velocities; without a
+    /// call, the moving energy at the beginning of the step is used.
     void moves(double moving) { motion = moving; }
     /// Must be called when the shell has changed since the solution, at the same positions of the sheet: an
-    /// edge has opened, or triangles have been replaced (remeshed). Returns the stored energy that was lost,
-    /// J.
+    /// edge has opened, or triangles have been replaced (remeshed). stored, moving: energies after the
+    /// change. Returns the stored energy that was lost, J.
     double topology_changed(double stored, double moving, bool remeshed);
     void finish(const StepWork& work, double stored, double moving);
     /// Returns the energy that the scheme dissipates in the open step with this work, J.
@@ -45,11 +47,11 @@ class EnergyLedger {
   private:
     EnergyBalance all;
     bool started = false;
-    bool is_rebased = false;           ///< whether the next step is the first of another scheme
-    double last = 0, last_moving = 0;  ///< J, stored and moving at the end of the last step
-    double at_begin = 0;               ///< J, stored at the beginning of the open step
-    double solution = 0;               ///< J, stored when the open step was solved last
-    double motion = 0;                 ///< J, moving energy then, or at the beginning of the open step
+    bool is_rebased = false;           ///< whether the next step is the first after scheme_changed()
+    double last = 0, last_moving = 0;  ///< J, stored and moving energy at the end of the last step
+    double at_begin = 0;               ///< J, stored energy at the beginning of the open step
+    double solution = 0;               ///< J, stored energy when the open step was solved last
+    double motion = 0;                 ///< J, moving energy set by moves(), or at the beginning of the step
     double opened = 0;                 ///< J, stored energy lost to edges that opened in the open step
     double reshaped = 0;               ///< J, stored energy lost to remeshing in the open step
     double slowed = 0;                 ///< J, moving energy lost to remeshing since the last step

@@ -8,7 +8,8 @@
 namespace sherd {
 namespace {
 
-/// Newton's method on a path converges within few iterations or not at all: then the step is too long.
+/// Newton's method on a path converges within few iterations or not at all. If it does not, the step is too
+/// long.
 constexpr int most_iterations = 12;
 
 void set_load(double load, std::span<Energy* const> loads, StepContext& step) {
@@ -58,8 +59,8 @@ void EquilibriumPath::predict(Potential& potential, std::span<Energy* const> loa
 
 bool EquilibriumPath::correct(const Positions& moved, const Positions& to_equilibrium,
                               const Positions& tangent, Correction& correction) const {
-    // The load solves |moved + to_equilibrium + load tangent| = length scale. Of its two solutions, the one
-    // is taken by which the path turns less.
+    // correction.load solves |moved + to_equilibrium + load * tangent| = length * scale. With the solution
+    // that is taken the path turns less than with the other solution.
     const Positions there = moved + to_equilibrium;
     const double a = product(tangent, tangent), b = product(there, tangent),
                  c = product(there, there) - std::pow(length * scale, 2);
@@ -83,7 +84,7 @@ MinimiserResult EquilibriumPath::solve(Potential& potential, std::span<Energy* c
                                        StepContext& step, int max_iterations, Positions& x) {
     MinimiserResult result;
     if (!predicted) predict(potential, loads, step, x);
-    int since = 0;  // iterations since the start, or since the last load was reached
+    int since = 0;  // number of iterations since the call, or since the last load was reached
     while (result.iterations < max_iterations && since < most_iterations) {
         system.factorize(potential, x);
         ++result.iterations;

@@ -11,9 +11,10 @@ namespace sherd {
 
 /// The path of equilibria of a shell under a load factor that is unknown itself, so that the path continues
 /// past limit points, where the load falls (arc length: Riks 1979, Crisfield 1981). Each step ends at an
-/// equilibrium at a given distance from the last one: the root mean square of the displacement, weighted
-/// with masses, divided by the displacement that the loads cause at first for a load factor of 1. Lengths
-/// along the path therefore begin as load factors. Equilibria need not be stable.
+/// equilibrium at a given distance from its beginning: the root mean square of the displacement, weighted
+/// with masses, divided by the root mean square that a load factor of 1 would cause with the stiffness at the
+/// beginning of the path. There, distances along the path are therefore load factors. Equilibria need not be
+/// stable.
 class EquilibriumPath {
   public:
     /// The shell must outlive this object. tolerance: m, see Newton. last_load: the load factor at which the
@@ -21,9 +22,10 @@ class EquilibriumPath {
     EquilibriumPath(const Shell& shell, double tolerance, double last_load)
         : shell(shell), tolerance(tolerance), last_load(last_load) {}
 
-    /// Starts a step of this length from the shell's positions, with the load factor of the last step's end.
+    /// Starts a step of this length, a distance along the path, from the shell's positions, with the load
+    /// factor at the end of the last step.
     void begin(double length, StepContext& step);
-    /// Advances x [3, V] m and step.load towards the step's equilibrium. loads: the energies that follow
+    /// Advances x [3, V] m and step.load towards the step's equilibrium. loads: the energies that depend on
     /// step.load.
     MinimiserResult solve(Potential& potential, std::span<Energy* const> loads, StepContext& step,
                           int max_iterations, Positions& x);
@@ -52,20 +54,21 @@ class EquilibriumPath {
     Positions tangent(Potential& potential, std::span<Energy* const> loads, StepContext& step,
                       const Positions& x);
     void predict(Potential& potential, std::span<Energy* const> loads, StepContext& step, Positions& x);
-    /// Finds the correction that keeps the distance from the step's beginning. Returns false if there is
-    /// none.
+    /// Finds the correction with which x has the step's distance from its beginning. moved: displacement
+    /// since the beginning; to_equilibrium: correction at a constant load, both m, [3, V]. Returns false if
+    /// there is no such correction.
     bool correct(const Positions& moved, const Positions& to_equilibrium, const Positions& tangent,
                  Correction& correction) const;
-    /// Moves x back to the last load if the step has passed it, and returns whether it had.
+    /// If the step has passed the last load, moves x back to this load and returns true.
     bool passed(StepContext& step, std::span<Energy* const> loads, Positions& x);
 
     const Shell& shell;
     double tolerance, last_load;
     NewtonSystem system{indefinite_solver()};
     double start_load = 0;
-    double length = 0;       ///< length of the open step along the path
-    double scale = 0;        ///< m, distance of a path of length 1; 0 before the first step
-    bool predicted = false;  ///< whether the open step has left its beginning
+    double length = 0;       ///< distance along the path in the open step
+    double scale = 0;        ///< m, root mean square displacement for a length of 1; 0 before the first step
+    bool predicted = false;  ///< whether predict() has been called in the open step
     bool at_last_load = false;
     Positions direction;  ///< [3, V] m, displacement of the last step; empty before the first
 };

@@ -16,9 +16,9 @@ namespace {
 /// frequency) squared: substeps with contact have a third of the stable length.
 constexpr double resolution_of_contact = 3;
 /// Growth of the largest strain after which the highest frequency is estimated again: the membrane's
-/// stiffness along a stretch grows by three times as much.
+/// stiffness along a stretch grows by three times this share.
 constexpr double growth = 0.05;
-constexpr int most_again = 50'000;  // substeps of a repeated step; with more, it would seem to hang
+constexpr int most_again = 50'000;  // substeps of a repeated step; with more, the program would seem to hang
 constexpr Index vertices_at_once = 512;
 
 /// The coordinates of the vertices from `begin` to before `end`, one after the other.
@@ -98,7 +98,8 @@ void ExplicitStepper::discard() {
 void ExplicitStepper::choose_substep() {
     const Stopwatch watch(spent, Task::elasticity);
     const double strain = forces.face_strains(shell.position).cwiseAbs().maxCoeff();
-    // Every crack counts: a face that it separates may have a far higher frequency than with its neighbours.
+    // The frequency is estimated after every crack: a face that a crack separates may have a far higher
+    // frequency than with its neighbours.
     if (changed || strain > strain_at_estimate + growth) {
         shell_frequency = highest_frequency([this](const Positions& x) { return elastic_gradient.at(x); },
                                             shell, shell.position, mode);
@@ -212,12 +213,12 @@ int ExplicitStepper::make_open_step() {
 }
 
 int ExplicitStepper::make_step_again() {
-    ledger.scheme_changed();  // stiff contact springs under load may have been replaced
+    ledger.scheme_changed();  // contact springs under load may have another stiffness now
     try {
         open(step.length);
         if (substeps > most_again) ExplicitContact::refuse_passage();
         return make_step();
-    } catch (const std::runtime_error&) {  // an error about too many substeps does not name the impact
+    } catch (const std::runtime_error&) {  // too many substeps: the impact, the cause, is reported
         ExplicitContact::refuse_passage();
     }
 }

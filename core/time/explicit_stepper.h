@@ -16,7 +16,7 @@ namespace sherd {
 /// requires: the highest frequency is estimated when the run begins and when cracks have opened or strains
 /// have grown, and the frequency of contact is bounded at the beginning of each step. Forces that depend on
 /// the velocity take the velocity in the middle of the substep. Stiffness-proportional damping is the change
-/// of the elastic forces over a substep times the coefficient over its length.
+/// of the elastic forces over a substep, times the damping coefficient, divided by the substep's length.
 class ExplicitStepper : public Stepper {
   public:
     /// The shell must outlive this object.
@@ -50,8 +50,9 @@ class ExplicitStepper : public Stepper {
     double substep() const { return length; }  ///< s, of the open or last step
 
   private:
-    /// Forces on the shell, N, [3, V] each. outer: of loads, wind and damping by the medium, one each.
-    /// Damping and opening have no columns if there are no such forces.
+    /// Forces on the shell, N, [3, V] each. damping: stiffness-proportional; opening: cohesive forces of
+    /// opening edges; both have no columns if there are no such forces. outer: one entry for each of
+    /// ShellEnergies::outer(): loads, wind, and damping by the medium.
     struct Forces {
         Positions elastic, damping, opening;
         std::vector<Positions> outer;
@@ -64,7 +65,8 @@ class ExplicitStepper : public Stepper {
             visit(elastic, damping, opening, outer, contact);
         }
     };
-    // Steps throw std::runtime_error where they cannot continue, and return the number of substeps made.
+    // The functions that make the open step throw std::runtime_error if it cannot continue, and return the
+    // number of substeps made; open() may throw, too.
     void open(double length);
     int make_open_step();
     void discard() override;
@@ -80,8 +82,9 @@ class ExplicitStepper : public Stepper {
     /// Calls range(begin, end) for ranges that together contain all vertices, in several threads.
     template <class Range>
     void share_vertices(const Range& range) const;
-    /// Computes all forces at `position`; of elasticity only the gradient in `elastic_gradient`. Forces that
-    /// depend on the velocity take `velocity` as it is: in the middle of a substep.
+    /// Computes the forces at `position` except elastic forces and their damping: of the elastic forces only
+    /// the gradient in `elastic_gradient`. Forces that depend on the velocity take the present `velocity`,
+    /// which belongs to the middle of a substep.
     void find_forces();
     /// Updates forces and accelerations at `position`.
     void update_forces();
@@ -97,7 +100,7 @@ class ExplicitStepper : public Stepper {
     void move_scripted(double end);
     /// Computes the elastic forces, and makes the second half of the kick.
     Work kick();
-    /// Work against forces in the open substep, J, by their values at its beginning and end.
+    /// Work against forces in the open substep, J. before, now: forces at its beginning and end, N, [3, V].
     double taken(const Positions& before, const Positions& now) const;
     void enter(const Work& of_substep);
     /// Work in the open step, bodies included; the step must have been made.
@@ -120,15 +123,15 @@ class ExplicitStepper : public Stepper {
     bool first = true;                 ///< whether no step has begun yet
     bool made = false;                 ///< whether the open step has been made, in full or in part
     bool changed = true;               ///< whether the shell has changed since the frequency was estimated
-    double strain_at_estimate = 0;     ///< largest strain of all faces then
-    Positions mode;                    ///< [3, V] of the highest frequency
-    Positions velocity, acceleration;  ///< m/s, m/s^2, at `position`
+    double strain_at_estimate = 0;     ///< largest strain of all faces at that estimate
+    Positions mode;                    ///< [3, V] mode of the highest frequency
+    Positions velocity, acceleration;  ///< [3, V] m/s; [3, V] m/s^2, at `position`
     Forces forces_now;
     // Copies of the shell's data, [3, V]: masses, kg; inverse masses, 1/kg, and gravity, m/s^2, both zero for
     // fixed vertices; and the guided vertices, ascending.
     Positions mass, inverse_mass, gravity;
     std::vector<Index> guided;
-    // Displacements in the open substep, m, [3, V], and the state at its beginning; members to save
+    // Displacements in the open substep, m, [3, V], and the state at its beginning. They are members to save
     // allocations.
     Positions moved, acceleration_before;
     Forces forces_before;

@@ -13,11 +13,12 @@
 namespace sherd {
 namespace {
 
-/// Length of trial displacements over the shortest edge: differences of forces are then exact to 1e-5.
+/// Length of trial displacements over the shortest edge: differences of forces then have a relative error of
+/// about 1e-5.
 constexpr double trial = 1e-5;
 /// Share of noise in each starting vector, so that modes that a crack has created are found.
 constexpr double noise = 0.05;
-/// Largest residual over the square of the frequency.
+/// Largest residual, over the eigenvalue (the square of the frequency).
 constexpr double tolerance = 0.03;
 constexpr Eigen::Index basis = 8, max_restarts = 200;
 

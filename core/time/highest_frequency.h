@@ -8,10 +8,10 @@
 namespace sherd {
 
 /// Estimates the highest angular frequency, rad/s, of a shell at x [3, V] m with lumped masses, by Lanczos'
-/// method (Spectra's) on M^-1 K, with differences of forces for K. The estimate approaches it from below.
-/// mode: [3, V], the vector at which the method starts, replaced by the mode that it finds; without columns
-/// it starts from noise. Throws std::runtime_error if it does not converge. gradient: of the elastic energy,
-/// N, [3, V].
+/// method (Spectra's) on M^-1 K, with differences of forces for K. The estimate approaches the frequency from
+/// below. mode: [3, V], the vector at which the method starts, replaced by the mode that it finds; without
+/// columns it starts from noise. Throws std::runtime_error if it does not converge. gradient(x) returns the
+/// gradient of the elastic energy, N, [3, V].
 double highest_frequency(const std::function<Positions(const Positions&)>& gradient, const Shell& shell,
                          const Positions& x, Positions& mode);
 

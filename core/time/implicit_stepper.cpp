@@ -121,7 +121,7 @@ Positions ImplicitStepper::push_displacement() const {
 }
 
 StepResult ImplicitStepper::solve(int max_iterations) {
-    const Stopwatch watch(spent, Task::other);  // except what the energies and the solver book themselves
+    const Stopwatch watch(spent, Task::other);  // without the time that energies and solver account for
     StepResult result = minimise(max_iterations);
     if (result && !contact.empty()) {
         const Stopwatch of_contact(spent, Task::contact);
@@ -197,7 +197,7 @@ std::vector<Reaction> ImplicitStepper::reactions() const {
         // potential.
         Positions blocked =
             potential.gradient_with_blocked(contact.with_bodies(position)).leftCols(position.cols());
-        if (step.inertia > 0) {  // else weight is one of the loads
+        if (step.inertia > 0) {  // in statics, weight is one of the loads
             Positions acceleration = step.acceleration(position);
             acceleration.colwise() -= options.gravity;
             blocked += acceleration * shell.mass.asDiagonal();

@@ -17,8 +17,8 @@
 namespace sherd {
 
 /// Each step ends at the minimum of a potential, or at an equilibrium. `position` begins a step at the
-/// inertial prediction, or at the part of the way there that is free of contact; a step is too long if
-/// vertices or obstacles with prescribed motion cannot reach their places at its end.
+/// inertial prediction or, if contact prevents that, as near to the prediction as contact allows; a step is
+/// too long if vertices or obstacles with prescribed motion cannot reach their places at its end.
 class ImplicitStepper : public Stepper {
   public:
     /// The shell must outlive this object.
@@ -48,7 +48,7 @@ class ImplicitStepper : public Stepper {
   private:
     double stored_in_contact() const override { return contact.stored_energy(position); }
     /// Stores the unbalanced forces, and returns their increase since the last call, N, [3, V]. inserted:
-    /// vertices inserted since then.
+    /// vertices inserted since that call.
     Positions newly_unbalanced(std::span<const IndexWithParents> inserted);
     std::vector<Energy*> all_energies();
     std::optional<std::string> overlap();
@@ -58,18 +58,19 @@ class ImplicitStepper : public Stepper {
     /// Moves shell and bodies towards the prediction; returns false if vertices or obstacles with prescribed
     /// motion do not arrive.
     bool predict();
-    /// The shell's part of it where not all vertices can arrive. Vertices and obstacles with prescribed
-    /// motion have to, so they move first, if necessary together with the vertices that they push. The others
-    /// follow until contact stops them.
+    /// Does predict() for the shell if contact stops `motion`, m, [3, V], the motion to the prediction.
+    /// Vertices and obstacles with prescribed motion must arrive, so they move first, if necessary together
+    /// with the vertices that obstacles push. The other vertices follow until contact stops them.
     bool predict_in_two(const Positions& motion);
-    /// Fraction, 0 to 1, of a motion from the beginning of the step that passes through nothing.
+    /// Fraction, 0 to 1, of a motion from the beginning of the step up to which nothing passes through a
+    /// surface.
     double free_fraction(const Positions& motion);
     /// Displacement in the step, m, [3, V], by which moving obstacles push the vertices near them.
     Positions push_displacement() const;
-    /// Work of the step that ends at `position`, when the bodies have finished it and the shell has not.
+    /// Work in the step that ends at `position`. Must be called when the bodies have ended the step and the
+    /// shell has not.
     StepWork work();
-    /// Adds inertia and weight to the gradient, and sets the energy that the scheme dissipates in the
-    /// balance.
+    /// Adds inertia and weight to `gradient`, N, [3, V], and sets balance.lost_to_scheme.
     void add_inertia(EnergyBalance& balance, Positions& gradient) const;
 
     StepContext step;  ///< the open step, or the last one

@@ -8,8 +8,8 @@
 
 namespace sherd {
 
-/// Inertia and weight in one implicit step: 1 / (2 lag^2) (x - y)^T M (x - y), where y is the predictor, to
-/// which the shell would move without other forces.
+/// Inertia and weight in one implicit step: 1 / (2 lag^2) (x - y)^T M (x - y), where M are the masses and y
+/// is the predictor, the positions to which the shell would move without other forces.
 class Inertia : public ElementEnergy<VertexSprings> {
   public:
     /// The shell must outlive this object. gravity: m/s^2.
@@ -30,12 +30,12 @@ class Inertia : public ElementEnergy<VertexSprings> {
   private:
     const Shell& shell;
     Vector3d gravity;
-    double per_mass = 0;  ///< 1/s^2
+    double per_mass = 0;  ///< 1/s^2, see hessian_per_mass()
 };
 
-/// Inertia and weight of the free bodies in one step: 1 / (2 lag^2) m |q - y|^2 for each body, where q are
-/// its columns (BodyColumns) and y those of the inertial prediction. Rotations have the inertia tensor of the
-/// step's beginning.
+/// Inertia and weight of the free bodies in one step: 1 / (2 lag^2) m |q - y|^2 for each body, where m is its
+/// mass, q are its columns (BodyColumns) and y the columns of the inertial prediction. Rotations have the
+/// inertia tensor at the step's beginning.
 class BodyInertia : public ElementEnergy<VertexSprings> {
   public:
     /// bodies: null if there are none; it must outlive this object, and its step must begin first.

@@ -8,8 +8,8 @@
 namespace sherd {
 namespace {
 
-constexpr double longest = 12;         // times the time of an opening; then no cohesive force is left
-constexpr double least_force = 1e-10;  // share of the largest force; smaller ones are round-off
+constexpr double longest = 12;  // age of an edge over the time of its opening, from which no force is left
+constexpr double least_force = 1e-10;  // share of the largest force; smaller forces are round-off
 
 /// The vertices on which forces, [3, V] N, act, ascending.
 std::vector<Index> vertices_under(const Positions& forces) {
@@ -70,7 +70,8 @@ void OpeningEdges::fade(const Positions& moved, double length) {
         one.age += length;
         const double reached = one.taken + one.share * std::max(0.0, against);
         const double before = one.share, left = std::sqrt(std::max(0.0, 1 - reached / one.needed));
-        // Where the edge closes, the forces left would drive it: they are zero until the edge opens again.
+        // Where the edge closes, the remaining forces would drive this motion: they are zero until the edge
+        // opens again.
         one.share = against < 0 ? 0 : std::min(left, std::max(0.0, 1 - one.age / (longest * one.lasts)));
         one.taken = left > 0 ? one.taken + std::max(0.0, 0.5 * (before + one.share) * against) : one.needed;
     }

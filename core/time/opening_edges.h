@@ -9,28 +9,30 @@
 
 namespace sherd {
 
-/// Edges that open gradually, so that each dissipates the energy that its crack requires. When an edge fails,
-/// the forces that held it together stay on its vertices as cohesive forces: a share of them, which fades
-/// while they dissipate energy against the opening. They never dissipate more than the edge shall, and, like
-/// friction, never drive a motion.
+/// Edges that open gradually, so that each edge dissipates the energy that its crack requires. When an edge
+/// fails, a share of the forces that held it together stays on its vertices as cohesive forces. This share
+/// falls while the forces dissipate energy against the opening. The forces never dissipate more than the
+/// crack requires and, like friction, never drive a motion.
 ///
-/// In explicit steps, by work: the share is sqrt(1 - W / W_c), where W is the work dissipated and W_c all
-/// that shall be, and zero after twelve times the time of an opening. The vertices keep their accelerations.
-/// Where the forces of a new edge oppose those left of an earlier one, as after an opening that released
-/// energy and one that absorbs it, the two cancel.
+/// In explicit steps, by work: the share is sqrt(1 - W / W_c), where W is the work dissipated and W_c the
+/// work to be dissipated; it is zero once the edge's age is twelve times the time of its opening. When an
+/// edge fails, the vertices keep their accelerations. Where the forces of a new edge oppose the forces left
+/// of an earlier edge, as when an opening that absorbs energy follows an opening that released it, the
+/// opposite parts cancel.
 ///
-/// In implicit steps, by time: the share falls linearly to zero in the time of an opening, most often while
-/// the same step is solved again. In each solution the forces fall linearly as the crack faces separate, so
-/// that they dissipate the mean of their old and new size times the displacement: the crack closure integral
-/// (Irwin 1957; over the edges of a mesh Rybicki and Kanninen 1977), exact where forces are linear. Forces
-/// end when the edge has dissipated what its crack requires, and when it closes.
+/// In implicit steps, by time: the share falls linearly to zero in the time of an opening, most often in the
+/// step of the failure, which is solved again. In each solution the forces are taken to fall linearly as the
+/// crack faces separate, so that they dissipate the mean of their old and new size times the displacement:
+/// the crack closure integral (Irwin 1957; over the edges of a mesh Rybicki and Kanninen 1977), exact where
+/// forces are linear. Forces end when the edge has dissipated the energy that its crack requires, or when it
+/// closes.
 class OpeningEdges : public Energy {
   public:
     enum class Fading { by_work, by_time };
     explicit OpeningEdges(Fading fading) : fading(fading) {}
 
-    /// Adds an edge that fails at x, [3, V] m. forces: [3, V] N, those that held it together; released: J,
-    /// stored energy that was lost at once.
+    /// Adds an edge that fails at x, [3, V] m. forces: N, [3, V], that held the edge together; released: J,
+    /// stored energy that was lost when the edge failed.
     void open(const Opening& edge, Positions forces, const Positions& x, double released);
     /// Share of the cohesive force of an edge that still acts; 0 for an open edge.
     double cohesive_share(Index edge) const;
@@ -38,24 +40,24 @@ class OpeningEdges : public Energy {
     /// Adds the present forces to `sum`, N, [3, V].
     void add_forces(Positions& sum) const;
 
-    // By work.
+    // For fading by work:
 
     /// Reduces the forces after a substep of `length` s in which vertices moved by `moved`, [3, V] m.
     void fade(const Positions& moved, double length);
 
-    // By time.
+    // For fading by time:
 
     /// Begins a step at x, [3, V] m. An open step is discarded with the edges that failed in it: no force is
     /// left on them.
     void begin_step(const StepContext& step, const Positions& x);
-    /// Must be called before the shell changes, at the last solution.
+    /// Must be called before the shell changes; its positions are those of the last solution.
     void shell_changes();
-    /// Must be called when the shell has changed, and is at x, [3, V] m.
+    /// Must be called after a change of the shell. x: its positions, [3, V] m.
     void shell_changed(const Positions& x);
-    /// Must be called after each solution of the step.
+    /// Must be called after each solution of the step. x: its positions, [3, V] m.
     void solved(const Positions& x);
     void finish();
-    double taken() const;  ///< J, dissipated in the open step
+    double taken() const;  ///< J, energy dissipated in the open step
 
     void topology_changed(const ShellChange& /*change*/, const StepContext& /*step*/) override {}
     double value(const Positions& x) const override;
@@ -70,15 +72,15 @@ class OpeningEdges : public Energy {
     struct CohesiveEdge {
         Index edge;
         std::vector<Index> vertices;  ///< ascending
-        Positions forces;             ///< N, on each of the vertices
-        double needed;                ///< J, to be dissipated; by time, since the previous solution
-        double lasts;                 ///< s, time of the opening
-        Positions at;                 ///< m, positions of its vertices at the previous solution
-        double since;                 ///< s, beginning of the step in which it failed
-        double age = 0;               ///< s
-        double before = 1;            ///< share of the forces at the previous solution
-        double share = 1;             ///< share of the forces now
-        double taken = 0;             ///< J, dissipated of what is needed
+        Positions forces;             ///< N, [3, vertices], forces while the share is 1
+        double needed;      ///< J, to be dissipated; by time, what was left at the previous solution
+        double lasts;       ///< s, time of the opening
+        Positions at;       ///< m, positions of the vertices at the previous solution
+        double since;       ///< s, beginning of the step in which it failed
+        double age = 0;     ///< s, time since the failure, if forces fade by work
+        double before = 1;  ///< share of the forces at the previous solution
+        double share = 1;   ///< share of the forces now
+        double taken = 0;   ///< J, part of `needed` that has been dissipated
         bool closes = false;
 
         /// Columns that belong to `vertices`.
@@ -93,7 +95,8 @@ class OpeningEdges : public Energy {
         }
         /// Adds a multiple of the forces to `sum`, [3, V] N.
         void add(double factor, Positions& sum) const;
-        /// Removes the opposite parts of these forces and of `others`, [3, V] N; their sum stays.
+        /// Cancels the opposite parts of this edge's forces and of `others`, N, [3, V]; the sum of all forces
+        /// stays.
         void cancel(Positions& others);
         /// Reduces the share to its value at `end`, the end of a step, s.
         void fade_until(double end);
@@ -103,14 +106,17 @@ class OpeningEdges : public Energy {
             visit(edge, vertices, forces, needed, lasts, at, since, age, before, share, taken, closes);
         }
     };
-    /// Books the dissipation since the previous solution; the next starts from the present one.
+    /// Adds the energy dissipated since the previous solution to `settled`, and makes the present solution
+    /// the previous one.
     void settle();
 
     Fading fading;
-    double start = 0, end = 0;  ///< s, of the open step; in statics infinity, so that all forces have faded
-    std::vector<CohesiveEdge> all, finished;  ///< now, and at the end of the last finished step
-    bool is_solved = false;                   ///< whether the step has been solved since the last change
-    double settled = 0;                       ///< J, dissipated in the open step before the last change
+    /// Beginning and end of the open step, s; in statics the end is infinite, so that all forces fade.
+    double start = 0, end = 0;
+    /// Edges with cohesive forces now, and at the end of the last finished step.
+    std::vector<CohesiveEdge> all, finished;
+    bool is_solved = false;  ///< whether the step has been solved since the shell changed last
+    double settled = 0;      ///< J, dissipated in the open step before the last change
 };
 
 }  // namespace sherd

@@ -17,10 +17,10 @@
 namespace sherd {
 namespace {
 
-constexpr double growth_time = 0.1;  // s
+constexpr double growth_time = 0.1;  // s; instabilities that take longer to grow are tolerated
 
-/// Whether the rest shape has the least energy for any material: the energy is a sum of squares that vanish
-/// there.
+/// Whether the rest shape has the least energy for any material: the energy is a sum of squares that are zero
+/// at rest.
 bool is_least_at_rest(BendingModel model) {
     return model == BendingModel::coupled || model == BendingModel::nonlinear;
 }
@@ -52,7 +52,8 @@ class HingeParts {
     MembraneElements membrane;
     std::vector<Index> curved;                       ///< hinges with a cubic part
     std::vector<std::array<TriangleEdge, 2>> sides;  ///< sides of each of the curved hinges
-    std::vector<int> around_face, around_vertex;     ///< number of curved hinges at each face and vertex
+    /// Number of curved hinges at each face, and at each vertex.
+    std::vector<int> around_face, around_vertex;
 };
 
 HingeHessian HingeParts::stiffness(std::size_t part) const {
@@ -75,8 +76,8 @@ HingeHessian HingeParts::stiffness(std::size_t part) const {
     return sum;
 }
 
-/// Whether the stiffness at rest is a sum of positive definite parts: flat hinges always are, and curved ones
-/// where the adjacent membrane outweighs them.
+/// Whether the stiffness of each of the HingeParts is positive definite. The stiffness of flat hinges is
+/// never negative, so that the whole stiffness at rest then is positive definite, too.
 bool parts_are_stable(const Shell& shell) {
     const HingeParts parts(shell);
     for (std::size_t i = 0; i < parts.size(); ++i)
@@ -84,8 +85,8 @@ bool parts_are_stable(const Shell& shell) {
     return true;
 }
 
-/// Whether the stiffness at rest of cubic hinges and membrane is positive definite. With the growth time as
-/// step, inertia on the diagonal outweighs instabilities that grow more slowly.
+/// Whether the stiffness at rest of cubic hinges and membrane is positive definite. Inertia on the diagonal,
+/// as in an implicit Euler step of `growth_time`, outweighs instabilities that grow more slowly.
 bool whole_is_stable(const Shell& shell, MembraneModel membrane_model) {
     const std::unique_ptr<Energy> bending =
         bending_energy(shell, {BendingModel::cubic, BendingJacobian::cubic});

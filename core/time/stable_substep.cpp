@@ -9,10 +9,10 @@
 namespace sherd {
 namespace {
 
-/// Share of the stable substep that is taken: the frequency is estimated from below, and contact and large
-/// motions stiffen the sheet.
+/// Share of the critical time step that is taken: the frequency is estimated from below, and contact and
+/// large motions stiffen the sheet.
 constexpr double safety = 0.8;
-constexpr double most_substeps = 1e6;  // in a step
+constexpr double most_substeps = 1e6;  // largest number in a step
 
 }  // namespace
 
@@ -27,7 +27,8 @@ double stable_substep(double highest, const Damping& damping, double step) {
     const double damped = 0.5 * damping.stiffness * highest;
     // Equals 2 / highest (sqrt(1 + d^2) - d), without its cancellation.
     const double of_forces = 2 / highest / (std::sqrt(1 + damped * damped) + damped);
-    // Damping by the medium takes the velocity before the substep, and must not remove more than that.
+    // Damping by the medium takes the velocity before the substep; if it changed this velocity by more than
+    // twice its size, the velocity would grow.
     const double stable = safety * std::min(of_forces, 2 / damping.mass);
     require_stable(!std::isnan(stable));
     if (step < most_substeps * stable) return stable;

@@ -6,21 +6,21 @@
 
 namespace sherd {
 
-/// Outcome of a part of a step.
+/// Outcome of Stepper::begin() or Stepper::solve().
 enum class Outcome : std::uint8_t {
     done,
-    too_long,  ///< vertices, obstacles or bodies cannot get to their places at its end
+    too_long,  ///< prescribed places at the step's end cannot be reached
     unsolved,  ///< no minimum has been found
-    passage,   ///< surfaces pass through each other in a step to the minimum that has been found
+    passage,   ///< surfaces pass through each other on the straight path to the minimum
     failed,    ///< the scheme cannot continue from the beginning of the step, however short the step is
 };
 
-/// Result of a part of a step: its beginning, or a solution of it.
+/// Result of Stepper::begin() or Stepper::solve().
 struct StepResult {
     Outcome outcome = Outcome::done;
-    std::string why = {};  ///< message for users where it has failed, and where there is no definite matrix
-    int iterations = 0;    ///< number of substeps in explicit steps
-    bool limited = false;  ///< whether it is unsolved because of the limit on iterations
+    std::string why = {};  ///< message for users if the step has failed, or no matrix was definite
+    int iterations = 0;    ///< number of iterations; in explicit steps, of substeps
+    bool limited = false;  ///< whether the step is unsolved because of the limit on iterations
 
     explicit operator bool() const { return outcome == Outcome::done; }
 };

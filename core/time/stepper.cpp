@@ -19,7 +19,7 @@ ShellEnergyOptions shell_options(const Shell& shell, const StepperOptions& optio
     ShellEnergyOptions all = options.shell;
     if (options.scheme == Scheme::statics && !options.gravity.isZero(0))
         all.loads.push_back(weight_as_load(shell, options.gravity));
-    // The explicit scheme damps by the change of the elastic forces that it has anyway.
+    // The explicit scheme itself computes this damping, from the change of the elastic forces.
     if (options.scheme == Scheme::explicit_differences) all.damping.stiffness = 0;
     return all;
 }

@@ -8,27 +8,29 @@
 
 namespace sherd {
 
-/// Second, stiffer spring that acts in addition to the first one where the gap is below a share of the range.
+/// A second, stiffer spring, which acts in addition to the first one where the gap is less than share() times
+/// the range.
 struct SecondSpring {
     std::uint8_t degree = 0;    ///< 0: no second spring
-    std::uint8_t halvings = 1;  ///< exponent of the share: 1/2, 1/4, 1/8 ...
+    std::uint8_t halvings = 1;  ///< share() is 2 to the power of -halvings
 
-    /// Stiffness over that of the first spring.
+    /// Stiffness of the second spring over that of the first one.
     double stiffness() const { return degree == 0 ? 0 : std::pow(64, degree); }
     double share() const { return std::ldexp(1, -halvings); }
 };
 
-/// The barrier potential of a gap between two elements: it is infinite at zero, zero from `range` on, and
-/// twice continuously differentiable (the clamped logarithm of incremental potential contact, Li et al. 2020,
-/// eq. 6). It is scaled so that at a gap of half the range its force is that of a spring of stiffness 1 N/m
-/// compressed by half the range. With `spring` it is that spring instead, for explicit steps, which need a
-/// bounded stiffness.
+/// The barrier potential of a gap between two elements: it is infinite at zero gap, zero for gaps of at least
+/// `range`, and twice continuously differentiable (the clamped logarithm of incremental potential contact, Li
+/// et al. 2020, eq. 6). It is scaled so that at a gap of half the range its force equals the force of a
+/// spring of stiffness 1 N/m that is compressed by half the range. If `spring` is true, the potential is that
+/// of such a spring, of rest length `range`, and of `second_spring`: explicit steps need a bounded stiffness.
+/// ContactPair multiplies the potential by its stiffness.
 struct Barrier {
     double range;  ///< m
     bool spring = false;
     SecondSpring second_spring = {};
 
-    double value(double gap) const {  ///< J
+    double value(double gap) const {  ///< J, at a stiffness of 1 N/m
         if (gap >= range) return 0;
         if (spring)
             return 0.5 * (range - gap) * (range - gap) +

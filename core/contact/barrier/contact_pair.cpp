@@ -16,7 +16,7 @@ PairHessian positive_part(const PairHessian& matrix) {
            eigen.eigenvectors().transpose();
 }
 
-/// Second derivative of the distance, from that of the squared distance.
+/// Second derivative of the distance, 1/m, where `gradient` is the first one.
 PairHessian distance_hessian(const Closest& closest, const PairPositions& x, double distance,
                              const PairVector& gradient) {
     return (0.5 * squared_distance_hessian(closest, x) - gradient * gradient.transpose()) / distance;
@@ -25,7 +25,7 @@ PairHessian distance_hessian(const Closest& closest, const PairPositions& x, dou
 }  // namespace
 
 void sort(std::vector<ContactPair>& pairs) {
-    // Short keys are compared and moved faster than pairs are.
+    // The short keys are compared and moved, which is faster than to move pairs.
     struct Key {
         std::array<std::uint64_t, 2> order;
         std::size_t pair;

@@ -14,18 +14,18 @@ namespace sherd {
 struct ContactPair {
     PairKind kind;
     std::array<Index, 4> vertices;    ///< in the order of PairPositions
-    double stiffness;                 ///< N/m, of the column of sheet between them (see ContactSurface)
-    double activation_distance;       ///< m, activation distance of the middle surfaces
+    double stiffness;                 ///< N/m, of the material between the elements (see ContactSurface)
+    double activation_distance;       ///< m, distance of the middle surfaces below which the pair acts
     EdgeMollifier mollifier;          ///< used by edge-edge pairs only
-    double closest = 0.75;            ///< minimum distance, as a share of the activation distance
-    bool spring = false;              ///< see Barrier
-    SecondSpring second_spring = {};  ///< counts for springs only
+    double closest = 0.75;            ///< minimum distance over activation distance
+    bool spring = false;              ///< whether a spring replaces the barrier: see Barrier
+    SecondSpring second_spring = {};  ///< used only if `spring` is true
 
-    double minimum() const { return closest * activation_distance; }  ///< m
+    double minimum() const { return closest * activation_distance; }  ///< m, minimum distance
     Barrier barrier() const { return {activation_distance - minimum(), spring, second_spring}; }
     double largest_stiffness() const {
         return stiffness * (1 + second_spring.stiffness());
-    }  ///< N/m, of a spring
+    }  ///< N/m, valid only if `spring` is true
 };
 
 /// Sorts pairs by their kind, then by their vertices.
@@ -36,12 +36,13 @@ double distance(const ContactPair& pair, const PairPositions& x);
 /// Whether the distance of the two elements is less than `limit`, m.
 bool within(double limit, const ContactPair& pair, const PairPositions& x);
 
-/// Energy, J: stiffness times mollifier times the barrier of the gap, which is the distance less the minimum.
+/// Energy, J: the stiffness times the mollifier times the barrier at the gap. The gap is the distance of the
+/// two elements less the minimum distance.
 double value(const ContactPair& pair, const PairPositions& x);
-/// dE/dx, N, [3, 4]. Its columns sum to zero and exert no net torque.
+/// dE/dx, N, [3, 4]. The forces on the four vertices have no resultant and no net torque.
 PairPositions gradient(const ContactPair& pair, const PairPositions& x);
-/// d2E/dx2, N/m. `convex` gives a positive semidefinite approximation: the Gauss-Newton part, and where the
-/// mollifier of two edges is active, the projection to the positive semidefinite part.
+/// d2E/dx2, N/m. With `convex`, returns a positive semidefinite approximation: the Gauss-Newton part, or,
+/// where the mollifier of an edge-edge pair is active, the positive semidefinite part of the exact matrix.
 PairHessian hessian(const ContactPair& pair, const PairPositions& x, bool convex);
 
 }  // namespace sherd

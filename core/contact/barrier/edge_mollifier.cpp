@@ -6,7 +6,7 @@
 namespace sherd {
 namespace {
 
-/// c = |u x v|^2 of the edge vectors u and v, and its derivatives by them.
+/// c = |u x v|^2 of the edge vectors u and v, and its first and second derivatives by u and v.
 struct Crossing {
     Vector3d u, v;
 
@@ -14,10 +14,11 @@ struct Crossing {
     double value() const { return u.cross(v).squaredNorm(); }
     Vector3d by_u() const { return 2 * v.cross(u.cross(v)); }
     Vector3d by_v() const { return 2 * u.cross(v.cross(u)); }
+    /// Second derivative by one edge vector, where `other` is the other edge vector.
     static Matrix3d by_same(const Vector3d& other) {
         return 2 * (other.squaredNorm() * Matrix3d::Identity() - other * other.transpose());
     }
-    Matrix3d by_u_and_v() const {  // rows: u, columns: v
+    Matrix3d by_u_and_v() const {  // row: component of u, column: component of v
         return 4 * u * v.transpose() - 2 * v * u.transpose() - 2 * u.dot(v) * Matrix3d::Identity();
     }
 };

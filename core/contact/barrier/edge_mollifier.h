@@ -5,9 +5,10 @@
 
 namespace sherd {
 
-/// Takes the potential of two edges smoothly to zero where they become parallel, since their closest points
-/// jump there: with c = |u x v|^2 of the edge vectors u and v, m = c/e (2 - c/e) below c = e and 1 above (Li
-/// et al. 2020, eq. 24). Vertex-triangle pairs keep the ends of parallel edges apart.
+/// A factor on the potential of two edges, which falls smoothly to zero as the edges become parallel, where
+/// their closest points jump. With c = |u x v|^2 of the edge vectors u and v, it is c/e (2 - c/e) for c < e,
+/// and 1 otherwise (Li et al. 2020, eq. 24). Parallel edges are still kept apart, by the vertex-triangle
+/// pairs with the ends of the edges.
 struct EdgeMollifier {
     double threshold = 0;  ///< e, m^4
 
@@ -17,8 +18,8 @@ struct EdgeMollifier {
     PairHessian hessian(const PairPositions& x) const;     ///< 1/m^2
 };
 
-/// The mollifier with e = 1e-3 |u|^2 |v|^2 of the rest lengths (m): it leaves edges unchanged that are at
-/// least about 2 degrees from parallel.
+/// The mollifier with e = 1e-3 |u|^2 |v|^2, where |u| and |v| are the rest lengths (m): at these lengths, it
+/// is 1 for edges that are at least about 2 degrees from parallel.
 inline EdgeMollifier edge_mollifier(double rest_length0, double rest_length1) {
     return {1e-3 * rest_length0 * rest_length0 * rest_length1 * rest_length1};
 }

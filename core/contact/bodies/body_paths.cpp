@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The motions of bodies in body_contact.h that are free of collisions.
+// Member functions of BodyContact (body_contact.h) that limit motions of bodies to parts free of collisions.
 #include <algorithm>
 
 #include "core/contact/bodies/body_contact.h"
@@ -7,10 +7,12 @@
 namespace sherd {
 namespace {
 
-/// Limits, in widths of a body, on how far its predicted pose may be beyond a sheet, and beyond another
-/// collider, which would push it out on the nearest side.
+/// Limits, in widths (smallest extents) of a body, on the distance of its predicted pose beyond the first
+/// contact with a sheet, and with another collider. The second limit is small because contact points would
+/// push the body out of the collider on the nearest side, which may be the wrong one.
 constexpr double most_widths = 8, most_widths_in_collider = 0.25;
-/// A motion is checked again after it has been shortened, to this share of the part that seemed free.
+/// When only a part of a motion is found free, the motion is shortened to this share of that part and checked
+/// again, up to most_checks times.
 constexpr double share_of_free = 0.9;
 constexpr int most_checks = 40;
 
@@ -41,7 +43,7 @@ void BodyContact::move_with_colliders() {
         return moves(pair.body,
                      Eigen::Translation3d(pair.push_displacement(start_of(pair), stays)) * start[pair.body]);
     };
-    // A body that is pushed may push others, in chains of at most all bodies.
+    // A body that is pushed may push other bodies; a chain of pushes contains each body at most once.
     bool any = true;
     for (std::size_t i = 0; any && i <= steps.size(); ++i) {
         any = false;
@@ -90,7 +92,8 @@ double BodyContact::free_fraction_of_part(const Positions& x, const Positions& a
 }
 
 double BodyContact::free_fraction(const Positions& x, const Positions& motion) const {
-    // In the frame of a body that turns, the shell moves straight in short parts only.
+    // In the frame of a body that turns, the path of the shell is curved; short parts of it are nearly
+    // straight.
     const int parts = straight_parts(largest_turn_in(motion));
     Positions before = x;
     for (int part = 0; part < parts; ++part) {
@@ -108,7 +111,8 @@ double BodyContact::checked_fraction(const Positions& x, const Positions& motion
     for (int check = 0; check < most_checks; ++check) {
         const double fraction = free_fraction(x, share * motion);
         if (fraction == 1) return share;
-        // A pose part of the way is not on the line between the poses checked; it needs a check of its own.
+        // A rotating body's poses in the shortened motion differ from the straight path that was checked, so
+        // that the shortened motion needs another check.
         share *= share_of_free * fraction;
     }
     return 0;
@@ -142,7 +146,7 @@ bool BodyContact::passes(const StepContext& step, const SurfacePairs& pair) cons
         return is_free(one) ? steps[one].pose(share * placed(one)).place
                             : obstacles[one - steps.size()].motion.at(step.begin + share * step.length);
     };
-    // The shape of a deforming surface is available at both ends only.
+    // The shape of a deforming surface is known only at the beginning and at the end of the step.
     const int parts = pair.other_deforms() ? 1 : straight_parts(turn(pair.body) + turn(pair.other));
     PairPlaces before = start_of(pair);
     for (int part = 1; part <= parts; ++part) {

@@ -9,21 +9,23 @@ namespace sherd {
 
 /// The two columns of a free body among the unknowns of a step, m: the displacement of its centre of mass,
 /// and its rotation vector in the body's frame at the beginning of the step, with each coordinate multiplied
-/// by the radius of gyration about its axis. In these coordinates the inertia is the body's mass for all six,
-/// however the body is shaped and has turned.
+/// by the radius of gyration about its axis. In these coordinates the inertia of all six is the body's mass,
+/// whatever its shape and rotation.
 using BodyColumns = Eigen::Matrix<double, 3, 2>;
 
-/// The rotation matrix of a rotation vector, rad.
+/// Returns the rotation matrix of a rotation vector (rad).
 Matrix3d turned(const Vector3d& rotation);
-/// The matrix J with d(turned(r)) = cross_matrix(J dr) turned(r).
+/// Returns the matrix J for which d(turned(r)) = cross_matrix(J dr) turned(r), where r is the rotation vector
+/// (rad).
 Matrix3d rotation_jacobian(const Vector3d& rotation);
 
-/// The pose of a collider, and how a body's points move with its columns.
+/// The pose of a collider, and the derivative of a body's rotation by its columns.
 struct BodyPose {
-    Eigen::Isometry3d place;  ///< from the collider's frame to space
-    Matrix3d jacobian;  ///< derivative, rad/m, of the rotation by the body's second column; obstacles: zero
+    Eigen::Isometry3d place;  ///< transforms the collider's frame to space; translation in m
+    /// Derivative, rad/m, of the body's rotation by its second column; zero for an obstacle.
+    Matrix3d jacobian;
 
-    /// Derivative, by the second column, of the body's point at `x` (m, in space).
+    /// Derivative of the position of the body's point at `x` (m, in space) by the body's second column.
     Matrix3d turning(const Vector3d& x) const {
         return -cross_matrix(x - Vector3d(place.translation())) * jacobian;
     }

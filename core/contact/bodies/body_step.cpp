@@ -137,8 +137,9 @@ RigidBody BodyStep::moved(const BodyColumns& q) const {
     result.centre += q.col(0);
     result.rotation = Eigen::Quaterniond(here.place.linear()).normalized().toRotationMatrix();
     result.velocity = (q.col(0) - origin.pose.head<3>()) / lag;
-    // In the potential, torques act on the rotation vector through its Jacobian. The angular momentum takes
-    // them directly: otherwise the shell would not gain what the body loses.
+    // In the potential, a torque acts on the rotation vector multiplied by the transposed
+    // rotation_jacobian(). The angular momentum must change by the torque itself, so that the shell gains the
+    // angular momentum that the body loses.
     const Vector3d turned_by_torque =
         body.inertia_in_space() * (rotation - motion(predicted).tail<3>()) / lag;
     result.angular_momentum =

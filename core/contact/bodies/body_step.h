@@ -16,71 +16,80 @@ struct BodySticks {
     void visit_state(StateVisitor& visit) { visit(vertices, pairs); }
 };
 
-/// Largest rotation between two poses that are tried in succession, rad.
+/// Largest rotation of a body, rad, from one pose that the minimiser tries to the next.
 constexpr double largest_turn = 1;
 
-/// Distance from the shell below which contact is expected, as a share of a body's size.
+/// Distance between a body and the shell, or between two bodies, below which contact is expected soon, as a
+/// share of the diagonal of a body's bounding box.
 constexpr double ahead_of_contact = 0.1;
 
-/// The contact surface of the shell and of a body that has a surface, for NearPairs. springs: see
-/// ContactSurface. number: of the body in Shell::start_depths.
+/// Returns the contact surface, for NearPairs, of the shell and of a body that has a surface. number: the
+/// body's number in Shell::start_depths. springs: see ContactSurface.
 ContactSurface surface_with(const Shell& shell, const RigidBody& body, std::size_t number,
                             bool springs = false);
 
-/// A free rigid body in one step: its motion, and its contact with the shell, by the springs of
-/// VertexContact with the shell's vertices, and by the barriers of SheetContact with its triangles and edges.
-/// The forces on the two sides of a contact are equal and opposite. In all functions x are the positions of
-/// the shell, [3, V] m, and q the columns of the body.
+/// A free rigid body in one step: its motion, and its contact with the shell. The body's shape acts on the
+/// shell's vertices by the springs of VertexContact. The body's surface acts on the shell's triangles and
+/// edges by barriers, as in SheetContact. The forces on the two sides of a contact are equal and opposite. In
+/// all functions x are the positions of the shell, [3, V] m, and q the columns of the body (BodyColumns).
 class BodyStep {
   public:
-    /// shell, body: as they are at the beginning of the step; origin: the body's origins in the step (see
-    /// StepContext); gravity: m/s^2. near: pairs of the shell and the body's surface, which rests in the
-    /// body's frame; null if the body has no surface. Shell, body and near must outlive this object. number:
-    /// of the body. elastic_slip: elastic slip from the last step.
+    /// shell, body: their state at the beginning of the step; gravity: m/s^2; origin: the body's origins in
+    /// the step (see StepContext). near: contact pairs of the shell and the body's surface, in the body's
+    /// frame; null if the body has no surface. Shell, body and near must outlive this object. number: the
+    /// body's number; obstacles: number of obstacles, which precede the bodies in Shell::start_depths.
+    /// elastic_slip: elastic slip at the end of the last step.
     BodyStep(const Shell& shell, const RigidBody& body, const Vector3d& gravity, const StepContext& step,
              const BodyOrigin& origin, const NearPairs* near, std::size_t number, std::size_t obstacles,
              const BodySticks& elastic_slip);
 
     BodyPose pose(const BodyColumns& q) const;
-    /// Displacement (m) and rotation vector (rad), in space, and the columns with such a motion.
+    /// Displacement (m) and rotation vector (rad) of the body in space, for the columns q. columns() is the
+    /// inverse function.
     Vector6d motion(const BodyColumns& q) const;
     BodyColumns columns(const Vector6d& motion) const;
-    /// The columns without contact: the inertial prediction.
+    /// The columns of a body that meets no contact in the step: the inertial prediction.
     const BodyColumns& prediction() const { return predicted; }
-    /// The body at the end of the step.
+    /// The body at the end of the step, if its columns are q.
     RigidBody moved(const BodyColumns& q) const;
-    /// Rates of the linear and of the angular momentum, N and N m, when the body ends the step as `end`.
+    /// Rates of change of the linear momentum, N, and of the angular momentum, N m, if `end` is the body at
+    /// the end of the step.
     Vector6d momentum_rate(const RigidBody& end) const;
-    /// Elastic slip of the contacts with the shell after the step.
+    /// Elastic slip of the body's contacts with the shell at the end of the step.
     BodySticks elastic_slip_after(const Positions& x, const BodyColumns& q) const;
 
-    /// Calls add(force, hessian) for each force between the shell at x and the body at `here`; hessian():
-    /// second derivative of BodyForce::value, N/m, a positive semidefinite approximation.
+    /// Calls add(force, hessian) for each force between the shell at x and the body at `here`. force: a
+    /// BodyForce; hessian(): returns a positive semidefinite approximation, N/m, of the second derivative of
+    /// its value.
     template <class Add>
     void each_force(const Positions& x, const BodyPose& here, Add add) const;
 
-    /// Fraction, 0 to 1, up to which the body and the shell do not reach each other while they move straight,
-    /// in the body's frame, from one place to the other.
+    /// Fraction, 0 to 1, of a motion up to which the body and the shell do not reach each other. The shell
+    /// moves from x to x_after and the body from `here` to `after`; in the body's frame the shell's vertices
+    /// move straight.
     double free_fraction(const Positions& x, const BodyPose& here, const Positions& x_after,
                          const BodyPose& after) const;
-    /// Whether the body, if it moved straight and without rotation, would get no farther than `widths` of its
-    /// smallest extents beyond its first contact with the shell, which moves to x meanwhile.
+    /// Whether the body, if it moved straight and without rotation by the displacement in q, would end at
+    /// most `widths` times its smallest extent beyond the first contact with the shell. The shell moves to x
+    /// meanwhile.
     bool has_straight_path(const Positions& x, const BodyColumns& q, double widths) const;
-    /// Whether the body, which moves to q along its screw, passes through the shell, which moves straight to
-    /// x. The minimiser may have moved it around the rim of a sheet.
+    /// Whether the body passes through the shell in the step. The body moves to q along its screw (at
+    /// constant velocity and spin), the shell straight to x. The check is needed because the minimiser may
+    /// have moved the body around the rim of a sheet.
     bool passes(const Positions& x, const BodyColumns& q) const;
-    /// Adds the vertices that are near contact with the body, and the pairs of vertices that are near contact
-    /// with one of its elements together.
+    /// Adds to `vertices` the vertices of the shell that are near contact with the body. Adds to `pairs` the
+    /// pairs of vertices that belong to one element of the shell near contact with the body's surface.
     void add_near(const Positions& x, const BodyPose& here, std::set<Index>& vertices,
                   std::vector<std::pair<Index, Index>>& pairs) const;
-    /// The vertices of the shell that touch the body, with their depth.
+    /// The vertices of the shell that touch the body, and the largest depth of a vertex in the body's shape.
     Touch touch(const Positions& x, const BodyPose& here) const;
 
   private:
     void find_sliding(double length, const BodySticks& elastic_slip);
-    /// Positions of the body's points and the shell's vertices, m, in the body's frame, as `near` takes them.
+    /// Positions, m, of the points of the body's surface, then of the shell's vertices, in the body's frame:
+    /// the argument of functions of `near`.
     Positions in_frame_of(const BodyPose& pose, const Positions& x) const;
-    /// The points of a pair.
+    /// The points on which the force of a pair acts, from the pair's vertices.
     std::array<BodyForce::Point, 4> points_of(const std::array<Index, 4>& vertices) const;
     /// Displacements of a pair's vertices in the step, m.
     PairPositions moved(const std::array<Index, 4>& of_pair, const Positions& x, const BodyPose& here) const;
@@ -89,12 +98,13 @@ class BodyStep {
     const RigidBody& body;
     const NearPairs* near;
     std::size_t number;
-    double lag;  ///< s
+    double lag;  ///< s, see StepContext
     BodyOrigin origin;
-    Vector3d gyration;                       ///< m, radii of gyration about the principal axes
-    BodyColumns predicted;                   ///< columns without contact: the inertial prediction
-    VertexContact vertices;                  ///< anchors are in the body's frame
-    std::vector<SlidingPair> sliding_pairs;  ///< the body's points are their first vertices
+    Vector3d gyration;       ///< m, radii of gyration about the body's principal axes
+    BodyColumns predicted;   ///< see prediction()
+    VertexContact vertices;  ///< anchors (SlidingPoint) are in the body's frame
+    /// The lowest vertex numbers are points of the body, as in `near`.
+    std::vector<SlidingPair> sliding_pairs;
 };
 
 template <class Add>

@@ -7,8 +7,8 @@ std::vector<PointContact> point_contacts(const std::vector<RigidBody>& bodies, s
     std::vector<PointContact> all;
     for (std::size_t body = 0; body < bodies.size(); ++body)
         for (std::size_t other = 0; other < bodies.size() + obstacles; ++other) {
-            // A ball finds its contacts by itself, so the corners of a box, or a second ball, must not count
-            // them again.
+            // The centre of a ball finds all contacts of the ball, so that the corners of a box, or the
+            // centre of a second ball, must not find them again.
             const bool found_by_other =
                 other < bodies.size() && is_ball(bodies[other]) && (!is_ball(bodies[body]) || other < body);
             if (body == other || found_by_other) continue;

@@ -11,25 +11,29 @@
 namespace sherd {
 namespace {
 
-/// Inset of the surface that forms pairs, as a share of the body's smallest extent, and of a ball's radius.
+/// Inset of the core (the surface that forms pairs): as a share of the body's smallest extent, and for a ball
+/// as a share of its radius.
 constexpr double inset_of_extent = 0.01, inset_of_radius = 0.5;
-/// Activation distance of pairs, as a share of the inset. Pairs of a ball act far inside its surface.
+/// Activation distance of pairs, as a share of the inset: for bodies in general, and for a ball, whose pairs
+/// act far inside its surface.
 constexpr double range_of_inset = 1, range_of_ball = 0.25;
-constexpr double largest_inset = 3;  // times the inset, at the tip of a needle
-/// Share of the range by which pairs may be compressed when an exemption ends: nothing has supplied their
-/// energy.
+/// Limit on the displacement of a point, in multiples of the inset; it acts at sharp tips.
+constexpr double largest_inset = 3;
+/// Share of their range by which pairs may be compressed when an exemption ends. The share is small because
+/// no work has supplied the energy of the compressed pairs.
 constexpr double still_apart = 1e-3;
-/// The corresponding shares, of barriers and of springs, after another time scheme in which pairs acted. A
-/// barrier that is compressed by less stores less energy than a spring that is compressed as far; springs may
-/// be compressed by all of the range.
+/// The corresponding shares for barriers and for springs that replace the pairs of another time scheme. Up to
+/// this compression a barrier stores less energy than a spring with the same compression; springs may be
+/// compressed by their whole range.
 constexpr double barrier_takes_over = 2.0 / 3, springs_take_over = 1;
-/// Pairs are discarded when the ball around a body, enlarged by this factor, is clear of the other collider.
+/// Pairs are discarded when the ball around a body, enlarged by this factor, does not touch the other
+/// collider's bounding box.
 constexpr double times_of_kept = 3;
-/// Thickness of a sheet over the activation distance of its pairs with a collider (ContactSurface).
+/// Ratio of a sheet's thickness to the activation distance of its pairs with a collider (see ContactSurface).
 constexpr double thickness_of_range = 4;
 
-/// Displacements of points that move all triangles inward by a unit length: exactly where three planes or
-/// fewer meet, else in the sense of least squares.
+/// Returns the displacements of the points, [3, P], that move the planes of all triangles inward by a unit
+/// length: exactly at points where at most three different planes meet, and by least squares at other points.
 Positions inward(const ColliderSurface& surface) {
     std::vector<Matrix3d> squares(surface.size(), Matrix3d::Zero());
     Positions sums = Positions::Zero(3, surface.size());
@@ -55,6 +59,7 @@ Positions inward(const ColliderSurface& surface) {
     return sums;
 }
 
+/// The core of a body, whose pairs have the activation distance `range`; inset, range: m.
 std::shared_ptr<const Shell> core_of(const RigidBody& body, double inset, double range) {
     const ColliderSurface& surface = *body.surface;
     auto core = std::make_shared<Shell>();
@@ -77,13 +82,14 @@ double extent_of(const RigidBody& body) {
     return body.shape->bounds().sizes().minCoeff();
 }
 
-/// The surface of a body, moved inward.
+/// The core of a body that collides by its facets.
 std::shared_ptr<const Shell> core_with_facets(const RigidBody& body) {
     const double inset = inset_of_extent * extent_of(body);
     return core_of(body, inset, range_of_inset * inset);
 }
 
-/// The surface of a body, moved inward; that of a ball by half its radius, since its centre makes it round.
+/// The core of a body. A ball's core lies deep, since the contact point at the ball's centre acts before the
+/// core is reached.
 std::shared_ptr<const Shell> core_of(const RigidBody& body) {
     if (!is_ball(body)) return core_with_facets(body);
     const double inset = inset_of_radius * body.contact_radius;
@@ -276,8 +282,8 @@ void SurfacePairs::place(const PairPlaces& places) {
 
 bool SurfacePairs::passes(const PairPlaces& places) {
     if (!may_meet(before, places)) return false;
-    // Surfaces without an active pair at the end of a motion shorter than the range have not passed through
-    // each other.
+    // Two surfaces without an active pair at the end of a motion that is shorter than the activation distance
+    // have not passed through each other.
     const Eigen::Isometry3d from = before.there.inverse() * before.here,
                             to = places.there.inverse() * places.here;
     const double turn = Eigen::AngleAxisd(from.linear().transpose() * to.linear()).angle();

@@ -6,7 +6,7 @@
 namespace sherd {
 namespace {
 
-/// Pinned vertices that touch an obstacle whose surface has no inside.
+/// Pinned vertices that touch the surface of a deforming obstacle, which has no inside, at time 0.
 std::vector<Index> held_at(const Shell& shell, const Obstacle& obstacle) {
     VectorXd reach = VectorXd::Constant(shell.position.cols(), -1);
     for (Index v = 0; v < static_cast<Index>(shell.fixed.size()); ++v)
@@ -14,6 +14,7 @@ std::vector<Index> held_at(const Shell& shell, const Obstacle& obstacle) {
     return near_surface(obstacle.points_at(0), obstacle.surface->triangles, shell.position, reach);
 }
 
+/// Pinned vertices that touch an obstacle, or are inside it, at time 0.
 std::vector<Index> held_inside(const Shell& shell, const Obstacle& obstacle) {
     if (obstacle.deformation != nullptr) return held_at(shell, obstacle);
     std::vector<Index> held;

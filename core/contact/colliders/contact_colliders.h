@@ -6,14 +6,16 @@
 
 namespace sherd {
 
-/// Returns the obstacles that have a surface. Pinned vertices that touch an obstacle at time 0, or are inside
-/// it, do not collide with it, since it may be their support.
+/// Returns the obstacles that have a surface, as colliders for ContactSurface. Pinned vertices that touch an
+/// obstacle at time 0, or are inside it, are exempt from contact with its surface, since the obstacle may be
+/// their support.
 std::vector<ContactCollider> contact_colliders(const Shell& shell, const std::vector<Obstacle>& obstacles);
 
-/// Returns the number of the first vertex of each obstacle in collider_positions().
+/// Returns for each obstacle the column of its first vertex in collider_positions().
 std::vector<Index> first_vertices(const std::vector<Obstacle>& obstacles);
 
-/// Positions at `time` (s) of the surface vertices of all obstacles, in the obstacles' order: [3, S] m.
+/// Returns the positions, [3, S] m, at `time` (s) of the surface vertices of all obstacles, in the order of
+/// the obstacles.
 Positions collider_positions(const std::vector<Obstacle>& obstacles, double time);
 
 }  // namespace sherd

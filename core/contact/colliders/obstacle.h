@@ -10,7 +10,8 @@ namespace sherd {
 /// A collider that stands still or has a scripted motion; sheets and bodies cannot push it away.
 struct Obstacle : Collider {
     Motion motion;
-    /// Motion of the surface's points in the obstacle's frame, which moves, too; null: the obstacle is rigid.
+    /// Motion of the surface's points relative to the obstacle's frame, which `motion` moves; null: the
+    /// obstacle is rigid.
     std::shared_ptr<const Deformation> deformation = nullptr;
 
     bool moves() const {

@@ -10,7 +10,7 @@
 namespace sherd {
 namespace {
 
-constexpr double steel_young = 2.1e11;  // Pa
+constexpr double steel_young = 2.1e11;  // Pa, Young's modulus
 
 }  // namespace
 
@@ -46,8 +46,8 @@ RigidBody rigid_solid(double volume, const Vector3d& inertia, const Positions& p
     body.mass = volume * density;
     body.inertia = inertia * density;
     for (const auto& point : points.colwise()) body.contact_points.push_back(point);
-    // A sixth of a fine mesh's points may lie on a floor: together they are as stiff as the four corners of a
-    // box.
+    // If a sixth of a fine mesh's points lie on a floor, as on a side of a cube, they are together as stiff
+    // as the four corners of a box.
     const double count = std::max<double>(1, static_cast<double>(points.cols()));
     body.contact_length = std::cbrt(volume) * std::min(0.25, 6 / count);
     return body;

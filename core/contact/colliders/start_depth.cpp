@@ -9,7 +9,7 @@
 namespace sherd {
 namespace {
 
-/// Longest edge, m, of each vertex's triangles.
+/// Returns for each vertex the length, m, of the longest edge at the vertex.
 VectorXd longest_edges(const Shell& shell) {
     VectorXd longest = VectorXd::Zero(shell.position.cols());
     for (const TriangleStencil& triangle : shell.triangles)
@@ -22,13 +22,14 @@ VectorXd longest_edges(const Shell& shell) {
     return longest;
 }
 
-/// Overlap, m, of a vertex with a collider at a pose, for a sheet that is thicker by twice `margin`.
+/// Overlap, m, of a vertex with a collider at `pose`. margin: m, added to half the sheet's thickness.
 double depth(const Shell& shell, const Collider& collider, const Eigen::Isometry3d& pose, Index vertex,
              double margin = 0) {
     return overlap(*collider.shape, pose, shell.position.col(vertex), 0.5 * shell.thickness[vertex] + margin)
         .depth;
 }
 
+/// Reduces the exemptions from a rigid collider; returns whether an exemption of elements has ended.
 bool shrink(Shell& shell, StartDepth& start, const Collider& collider, const Eigen::Isometry3d& pose) {
     for (Index v = 0; v < static_cast<Index>(start.depth.size()); ++v)
         if (start.depth[v] > 0) start.depth[v] = std::min(start.depth[v], depth(shell, collider, pose, v));
@@ -43,7 +44,8 @@ bool shrink(Shell& shell, StartDepth& start, const Collider& collider, const Eig
     return any;
 }
 
-/// Updates the exempt elements beside a surface without inside, which has no exempt depths.
+/// Reduces the exemptions from a deforming obstacle, whose surface has no inside and so no exempt depths:
+/// elements stay exempt only near the surface. Returns whether an exemption has ended.
 bool shrink(Shell& shell, StartDepth& start, const Obstacle& obstacle, double time) {
     VectorXd reach = longest_edges(shell) + 0.5 * shell.thickness;
     for (Index v = 0; v < static_cast<Index>(start.surface_exempt.size()); ++v)

@@ -10,9 +10,11 @@ namespace sherd {
 
 /// Vertices, obstacles and bodies in contact.
 struct Touch {
-    std::set<Index> vertices;  ///< vertices of sheets that touch a collider, or whose elements do
+    std::set<Index> vertices;  ///< vertices of sheets that touch a collider, or that belong to an element
+                               ///< that touches a collider's surface
     double deepest = 0;        ///< m, the largest overlap of a vertex
-    std::set<std::size_t> obstacles, bodies;  ///< numbers of those that a sheet or a body touches
+    /// Numbers of obstacles and bodies that a sheet or a body touches.
+    std::set<std::size_t> obstacles, bodies;
 
     void include(Index vertex, double depth) {
         if (depth <= 0) return;
@@ -25,8 +27,8 @@ struct Touch {
         obstacles.insert(other.obstacles.begin(), other.obstacles.end());
         bodies.insert(other.bodies.begin(), other.bodies.end());
     }
-    /// Includes the contacts of an obstacle: `own` with its shape; by_surface: whether elements touch its
-    /// surface.
+    /// Includes the contacts of an obstacle. number: number of the obstacle; own: contacts of vertices with
+    /// its shape; by_surface: whether elements touch its surface.
     void include_obstacle(std::size_t number, const Touch& own, bool by_surface) {
         if (!own.vertices.empty() || by_surface) obstacles.insert(number);
         include(own);

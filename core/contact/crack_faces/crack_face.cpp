@@ -9,11 +9,12 @@
 namespace sherd {
 namespace {
 
-/// Frame of the triangle: along the crack face, in the plane out of the triangle, and normal to both.
+/// Orthonormal frame of the triangle: `along` the crack face, `out` of the triangle within its plane, and
+/// `normal` to the plane.
 struct CrackFaceFrame {
     Vector3d along, out, normal;
-    double length, height;  ///< m, length of the crack face, and height of the triangle on it
-    double foot;            ///< projection of the apex on the crack face: 0 at its start, 1 at its end
+    double length, height;  ///< m, length of the crack face, and height of the apex above the face
+    double foot;            ///< place of the apex projected on the crack face: 0 at vertex 1, 1 at vertex 2
 };
 
 CrackFaceFrame crack_face_frame(const PairPositions& x) {
@@ -38,7 +39,8 @@ double crack_face_opening(const PairPositions& x) {
 PairPositions crack_face_opening_gradient(const PairPositions& x) {
     const CrackFaceFrame frame = crack_face_frame(x);
     const Vector3d gap = x.col(0) - x.col(1);
-    // `out` rotates in the plane with the crack face, and out of the plane when the apex leaves it.
+    // `turn` is due to the rotation of the crack face within the plane of the triangle, `fold` to the tilting
+    // of this plane; both rotate `out`.
     const Vector3d turn = gap.dot(frame.along) / frame.length * frame.out;
     const Vector3d fold = gap.dot(frame.normal) / frame.height * frame.normal;
     PairPositions gradient;
@@ -55,8 +57,9 @@ PairHessian crack_face_opening_hessian(const PairPositions& x) {
     const Vector3d gap = x.col(0) - x.col(1);
     const double across = gap.dot(frame.out) / 2, along = gap.dot(frame.along), above = gap.dot(frame.normal);
     const double l = frame.length, h = frame.height;
-    // Linear forms of the vertices' motion: the components, in the frame, of the motion of the vertex, the
-    // crack face's end and the apex relative to the points of the triangle that they are measured from.
+    // Linear forms of the displacements of the four vertices. Each is the component, along one axis of the
+    // frame, of a relative displacement: of vertex 0 from vertex 1 (gap), of vertex 2 from vertex 1 (edge),
+    // or of the apex from its foot on the crack face (apex).
     const auto form = [](const Eigen::Vector4d& weights, const Vector3d& direction) -> PairVector {
         return (direction * weights.transpose()).reshaped();
     };

@@ -8,26 +8,26 @@
 
 namespace sherd {
 
-/// A vertex on one face of a crack and a triangle at the opposite face, vertices 0 | 1 2 3; that face
-/// is the triangle's side from 1 to 2.
+/// A vertex on one face of a crack (vertex 0), and a triangle at the opposite face (vertices 1, 2, 3). The
+/// opposite face is the triangle's side from vertex 1 to vertex 2.
 struct CrackFaceStencil {
     std::array<Index, 4> vertices;
     double stiffness;  ///< N/m
 };
 
-/// Distance of the vertex from the opposite crack face in the triangle's plane, m; negative when they
-/// overlap.
+/// Signed distance, m, of the vertex from the opposite crack face, measured in the triangle's plane; negative
+/// when the vertex and the triangle overlap.
 double crack_face_opening(const PairPositions& x);
-/// d(opening)/dx, [3, 4]. Its columns sum to zero and exert no net torque.
+/// d(opening)/dx, [3, 4], without unit. Its columns sum to zero and exert no net torque.
 PairPositions crack_face_opening_gradient(const PairPositions& x);
 /// d2(opening)/dx2, 1/m.
 PairHessian crack_face_opening_hessian(const PairPositions& x);
 
-/// Energy, J, of a spring that resists overlap but neither opening nor sliding. Derivatives are by the
-/// positions.
+/// Energy, J, of a spring that resists overlap but neither opening nor sliding.
 double value(const CrackFaceStencil& crack_face, const PairPositions& x);
+/// dE/dx, N, [3, 4].
 PairPositions gradient(const CrackFaceStencil& crack_face, const PairPositions& x);
-/// d2E/dx2, N/m; with `convex` its Gauss-Newton part only.
+/// d2E/dx2, N/m; with `convex`, only its Gauss-Newton part, which is positive semidefinite.
 PairHessian hessian(const CrackFaceStencil& crack_face, const PairPositions& x, bool convex);
 
 /// The crack faces of a shell, as elements.
@@ -45,14 +45,14 @@ struct CrackFaceElements {
     }
 };
 
-/// Contact of crack faces that are still too close for SheetContact.
+/// Contact of crack faces that are still too close together for SheetContact.
 class CrackFaceContact : public ElementEnergy<CrackFaceElements> {
   public:
     /// The stencils must outlive this object.
     explicit CrackFaceContact(const std::vector<CrackFaceStencil>& crack_faces)
         : ElementEnergy({&crack_faces}) {}
     Task task() const override { return Task::contact; }
-    double largest_overlap(const Positions& x) const;  ///< m; 0 when nothing overlaps
+    double largest_overlap(const Positions& x) const;  ///< m; 0 if no crack faces overlap
 };
 
 }  // namespace sherd

@@ -7,9 +7,10 @@
 namespace sherd {
 namespace {
 
-/// Factor by which a division may become looser before the boxes are divided again.
+/// Factor by which the looseness of a known division may grow before the boxes are divided again.
 constexpr double loosest = 1.3;
 
+/// Sum of the three edge lengths of all boxes, m, without empty boxes.
 double total_size(const std::vector<Box>& boxes) {
     double sum = 0;
     for (const Box& box : boxes)

@@ -25,7 +25,8 @@ struct Box {
     }
 };
 
-/// The bounding boxes of elements, from the boxes of their vertices.
+/// Returns the bounding boxes of elements, which are given by the numbers of their vertices. of_vertices:
+/// boxes of the vertices.
 template <std::size_t N>
 std::vector<Box> element_boxes(const std::vector<Box>& of_vertices,
                                const std::vector<std::array<Index, N>>& elements) {
@@ -35,41 +36,45 @@ std::vector<Box> element_boxes(const std::vector<Box>& of_vertices,
     return boxes;
 }
 
-/// Finds the pairs of boxes that overlap: a balanced binary tree of bounding boxes, split at the median along
-/// their longest extent, traversed against another tree or itself.
+/// A balanced binary tree of bounding boxes, which finds the pairs of boxes that overlap: the boxes of this
+/// tree with the boxes of another tree, or with each other. Each node is divided at the median of its boxes'
+/// centres, along the axis on which the centres extend farthest.
 class BoxTree {
   public:
-    /// Division of a tree's boxes, to be reused when the same boxes have moved.
+    /// Division of a tree's boxes into nodes, to be reused for a later tree of the same boxes at other
+    /// places.
     struct Division {
         std::vector<Index> element;  ///< numbers of the boxes, in the tree's order
         double looseness = 0;        ///< looseness() when the boxes were divided
     };
 
     explicit BoxTree(const std::vector<Box>& boxes);
-    /// Reuses a known division, or makes and stores a new one if the known one has another number of boxes or
-    /// has become loose. Dividing is most of the cost of a tree. The pairs that overlap do not depend on the
-    /// division.
+    /// Reuses the division `known`. Makes a new division, and stores it in `known`, if the known one has
+    /// another number of boxes or has become too loose. Dividing is most of the cost of a tree. The set of
+    /// overlapping pairs does not depend on the division.
     BoxTree(const std::vector<Box>& boxes, Division& known);
 
     /// The bounding box of all boxes.
     Box bounds() const { return around.empty() ? Box{} : around[0]; }
-    /// The numbers of the boxes, with neighbours in space close together.
+    /// The numbers of the boxes, in an order in which boxes near each other in space are close together.
     const std::vector<Index>& order() const { return element; }
 
-    /// Calls visit(i, j) once for every box i of this tree and every box j of the other that overlap, in an
-    /// order that depends only on the boxes.
+    /// Calls visit(i, j) once for every box i of this tree and every box j of `other` that overlap, in an
+    /// order that depends only on the boxes and the divisions.
     template <class Visit>
     void meet(const BoxTree& other, const Visit& visit) const {
         if (!element.empty() && !other.element.empty()) descend(other, root(), other.root(), visit);
     }
-    /// Calls visit(i, j) once for every two different boxes of this tree that overlap; either may be i.
+    /// Calls visit(i, j) once for every two different boxes of this tree that overlap; i may be the smaller
+    /// or the larger number.
     template <class Visit>
     void meet_itself(const Visit& visit) const {
         if (!element.empty()) descend_itself(root(), visit);
     }
 
   private:
-    /// A node of the tree. Node n has children 2 n + 1 and 2 n + 2 and contains the boxes first to last - 1.
+    /// A node of the tree. Node number n has the children 2 n + 1 and 2 n + 2, and contains the boxes `first`
+    /// to `last` - 1 of the tree's order.
     struct Node {
         std::size_t number;
         Index first, last;
@@ -82,11 +87,13 @@ class BoxTree {
     static constexpr Index leaf_size = 4;
 
     Node root() const { return {0, 0, static_cast<Index>(element.size())}; }
-    /// Orders the numbers of the boxes by their places.
+    /// Orders the part of `element` that belongs to a node, so that each child of the node, and of all nodes
+    /// below, gets one half of the boxes, separated in space.
     void divide(const Node& node, const std::vector<Box>& boxes);
-    /// Finds the bounding boxes of a node and of all below it.
+    /// Finds the bounding boxes of a node and of all nodes below it.
     void surround(const Node& node);
-    /// Total size of the nodes over that of the boxes: the number of useless visits grows with it.
+    /// Total size of the nodes' bounding boxes over the total size of the boxes: the larger this ratio, the
+    /// more nodes are visited in vain.
     double looseness() const;
 
     template <class Visit>
@@ -117,8 +124,8 @@ class BoxTree {
     }
 
     std::vector<Box> around;     ///< bounding box of each node
-    std::vector<Box> box;        ///< box of each element, in the tree's order
-    std::vector<Index> element;  ///< numbers of the elements, in the tree's order
+    std::vector<Box> box;        ///< the boxes, in the tree's order
+    std::vector<Index> element;  ///< numbers of the boxes, in the tree's order
 };
 
 }  // namespace sherd

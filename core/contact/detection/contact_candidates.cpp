@@ -8,8 +8,8 @@
 namespace sherd {
 namespace {
 
-// Relative errors of any distance: a bound, and the larger value that is allowed for, so that positions may
-// grow.
+// Error of a distance over the largest coordinate: an upper bound, and the larger value from which
+// Neighbourhood::round_off is computed, so that it stays valid when positions grow up to a hundredfold.
 constexpr double rounding_at_least = 1e-14, rounding = 1e-12;
 
 Positions less_mean(const Positions& motion) {
@@ -31,11 +31,13 @@ Box box_around(const Positions& from, const Positions& to) {
             from.rowwise().maxCoeff().cwiseMax(to.rowwise().maxCoeff())};
 }
 
-/// Number of pairs with overlapping boxes whose distances all threads compute at once.
+/// Number of pairs with overlapping boxes that are collected before the threads compute the distances of
+/// these pairs.
 constexpr std::size_t at_once = 1 << 15;
 
-/// Bounding boxes of the places that each vertex of sheets can reach, enlarged by half of its elements'
-/// thickness and by `margins` margins.
+/// For each vertex of sheets, the box around its path in the motion of `within`, enlarged by
+/// ContactCandidates::nearness times half the largest thickness of its elements and by `margins` times the
+/// margin; empty boxes for the vertices of colliders.
 std::vector<Box> vertex_boxes(const ContactSurface& surface, const Neighbourhood& within, int margins) {
     std::vector<Box> boxes(surface.vertices());
     for (Index v = surface.collider_vertices(); v < surface.vertices(); ++v) {
@@ -53,8 +55,8 @@ struct Elements {
     BoxTree tree;
 };
 
-/// The elements for which `wanted` returns true, given their vertices and their box. If these are all, their
-/// tree reuses the division `known`, where that is given.
+/// Returns the elements for which wanted(vertices, box) is true, and the tree of their boxes. boxes: of the
+/// vertices. If all elements are wanted and `known` is not null, the tree reuses this division.
 template <std::size_t N, class Wanted>
 Elements<N> those(const std::vector<std::array<Index, N>>& elements, const std::vector<Box>& boxes,
                   const Wanted& wanted, BoxTree::Division* known = nullptr) {
@@ -76,6 +78,8 @@ std::vector<std::array<Index, 1>> points(Index from, Index to) {
     return points;
 }
 
+/// The vertices of two elements in the order of PairPositions; the lexicographically smaller one of two edges
+/// comes first.
 std::array<Index, 4> both(const std::array<Index, 1>& vertex, const std::array<Index, 3>& triangle) {
     return {vertex[0], triangle[0], triangle[1], triangle[2]};
 }
@@ -93,8 +97,8 @@ Vector3d between_middles(PairKind kind, const PairPositions& x) {
     return middle.normalized();
 }
 
-/// Vertices that became or ceased to be corners of triangles, that have another place on the sheet, or whose
-/// exemptions have changed.
+/// Flags, 1 for vertices of the surface that became or ceased to be corners of triangles, that have another
+/// place on the sheet, or whose exemptions have changed.
 std::vector<char> changed_vertices(const ShellChange& change, const ContactSurface& before,
                                    const ContactSurface& after) {
     std::vector<char> changed(after.vertices(), 0);
@@ -121,7 +125,7 @@ std::vector<char> changed_vertices(const ShellChange& change, const ContactSurfa
     return changed;
 }
 
-/// Applies a change of the sheets to an attribute of all vertices of a surface, [3, vertices].
+/// Adapts `all`, an array [3, vertices] of all vertices of a surface, to a change of the sheets.
 void follow_on_sheets(const ShellChange& change, Index collider_vertices, Positions& all) {
     Positions of_sheets = all.rightCols(all.cols() - collider_vertices);
     follow(of_sheets, change);
@@ -255,7 +259,7 @@ void ContactCandidates::meet_on_sheets(const ContactSurface& surface, const std:
 template <class Take>
 void ContactCandidates::meet_on_colliders(const ContactSurface& surface, const std::vector<char>& changed,
                                           ColliderTrees& colliders, const Take& take) const {
-    // Boxes of colliders have no margin, so the boxes of sheets have two.
+    // The boxes of colliders are enlarged by no margin, so the boxes of sheets are enlarged by two.
     const std::vector<Box> boxes = vertex_boxes(surface, within, 2);
     Box reach;
     for (const Box& box : boxes) reach.include(box);

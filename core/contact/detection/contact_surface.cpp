@@ -11,14 +11,16 @@
 namespace sherd {
 namespace {
 
-constexpr double share = 0.5;           // columns for each of the ways in which two sheets touch
-constexpr double share_of_rest = 0.75;  // activation distance of neighbours, over their distance at rest
-// Activation distance of a collider's surface, over half the thickness. Above it only the springs of vertices
-// act, with the stiffness of the materials; a soft collider is compressed there, perhaps by much.
+constexpr double share = 0.5;           // number of columns for each kind of contact
+constexpr double share_of_rest = 0.75;  // largest activation distance in a sheet, over distance at rest
+// Activation distance of pairs with a collider over half the thickness of the sheet's element. At larger
+// distances only the springs of vertices act, with the stiffness of the materials; a soft collider is
+// compressed there, perhaps by much.
 constexpr double share_of_collider = 0.5;
-constexpr double closest_to_sheet = 0.75, closest_to_collider = 0.2;  // minimum over activation distance
+/// Minimum distance of barriers over their activation distance.
+constexpr double closest_to_sheet = 0.75, closest_to_collider = 0.2;
 
-/// The thickness of either element, m.
+/// The thickness of each of the two elements, m.
 std::array<double, 2> thicknesses(const Shell& shell, PairKind kind, const std::array<Index, 4>& vertices) {
     const auto [a, b, c, d] = vertices;
     if (kind == PairKind::edge_edge)
@@ -51,7 +53,8 @@ double activation_distance_of_sheets(const Shell& shell, PairKind kind,
         return together;
     const PairPositions rest = columns(shell.rest, vertices);
     const double at_rest = std::sqrt(squared_distance(closest_points(kind, rest), rest));
-    // Crack faces have distance zero at rest; they get here only when their exemption has ended.
+    // Opposite elements of a crack have distance zero at rest. Their activation distance is asked for only
+    // when they are no longer exempt.
     return at_rest > 0 ? std::min(together, share_of_rest * at_rest) : together;
 }
 
@@ -206,7 +209,7 @@ double ContactSurface::area_on_collider(PairKind kind, const std::array<Index, 4
     if (kind == PairKind::vertex_triangle)
         return of_collider(a) ? std::min(footprint(a), (footprint(b) + footprint(c) + footprint(d)) / 3)
                               : footprint(a);
-    // In a pair of edges the collider's edge comes first.
+    // In a pair of edges with a collider, the collider's edge comes first.
     return std::numbers::pi / 2 * std::min(edge_width(a, b), rest_length(c, d)) * edge_width(c, d);
 }
 

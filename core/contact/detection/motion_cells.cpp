@@ -4,7 +4,8 @@
 namespace sherd {
 namespace {
 
-/// Vertices in a cell: few, so that they move almost alike; more than one, so that a block has few cells.
+/// Number of vertices in a cell: few, so that they move almost alike; more than one, so that the vertices of
+/// a block of pairs are in few cells.
 constexpr std::size_t cell_size = 48;
 
 }  // namespace

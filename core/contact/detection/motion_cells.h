@@ -8,15 +8,17 @@
 
 namespace sherd {
 
-/// Cells of a few vertices that are near each other. The boxes of their motions give a cheap bound on the
-/// relative motion of any two of many vertices.
+/// Groups vertices into cells of a few vertices that are near each other. The bounding boxes of the
+/// displacements of a cell's vertices give a cheap bound on the relative motion of any two vertices of
+/// several cells.
 class MotionCells {
   public:
-    /// Assigns cells to the vertices at x [3, V] m that have none. The first time, vertices near each other
-    /// share a cell; later each new vertex has one of its own, since these are few.
+    /// Assigns cells to the vertices at x ([3, V] m) that have no cell yet. In the first call, vertices near
+    /// each other share a cell; in later calls each new vertex gets a cell of its own, since new vertices are
+    /// few.
     void cover(const Positions& x);
-    Index of(Index vertex) const { return cell[vertex]; }
-    /// Bounding box, for each cell, of the motions [3, V] m of its vertices.
+    Index of(Index vertex) const { return cell[vertex]; }  ///< number of the vertex's cell
+    /// Returns, for each cell, the bounding box of the displacements `motions` ([3, V] m) of its vertices.
     std::vector<Box> boxes(const Positions& motions) const;
 
     void visit_state(StateVisitor& visit) {
@@ -26,10 +28,10 @@ class MotionCells {
 
   private:
     std::vector<Index> cell;  ///< cell of each vertex
-    Index count = 0;
+    Index count = 0;          ///< number of cells
 };
 
-/// Bound, m, on the relative motion of two points whose motions are in a box.
+/// Upper bound, m, on the relative motion of two points whose displacements are in the box `motions`.
 double spread(const Box& motions);
 
 }  // namespace sherd

@@ -9,32 +9,35 @@
 namespace sherd {
 namespace {
 
-/// In half thicknesses of the thinnest sheet: the margin by which vertices may depart from the motion before
-/// candidates are searched again, the margin of pairs_nearby(), and the length of the motion that a search
-/// covers.
+/// Lengths, in half thicknesses of the thinnest sheet: the margin by which vertices may depart from the
+/// motion before candidates are searched again, the margin of pairs_nearby(), and the length of the motion
+/// that a search covers.
 constexpr double margin_of_candidates = 0.5, nearby = 0.1, ahead = 12;
-/// Larger values where triangles are much wider than the thickness, since they cost little there and
-/// directions of a minimiser change: the margin over the length of the motion, and in widths of triangles the
-/// limit of this margin and the length of the motion that a search covers.
+/// Larger lengths for triangles that are much wider than the thickness: large neighbourhoods cost little
+/// there, and the search directions of a minimiser change. The margin grows to margin_of_motion times the
+/// length of the motion, up to margin_of_width mean widths of triangles (mean_width()); the length of the
+/// motion that a search covers grows to ahead_of_width mean widths.
 constexpr double margin_of_motion = 2, margin_of_width = 0.2, ahead_of_width = 0.6;
+/// Largest multiple of the given motion that a search covers.
 constexpr double most_steps = 10;
-/// Length, in widths of triangles, and largest number of the parts in which a motion is tested. The number of
-/// pairs within reach of a part grows with the square of its length: a diverging direction of a minimiser
-/// would take all memory.
+/// Length, in mean widths of triangles, and largest number of the parts in which a motion is tested. The
+/// number of pairs within reach of a part grows with the square of the part's length: a diverging search
+/// direction of a minimiser would take all memory.
 constexpr double widths_of_part = 2, most_parts = 64;
 
-/// Clearance that a motion leaves (safe_fraction()), as a share of the range; the smaller one where only
-/// passing counts, as for springs.
+/// Clearance that safe_fraction() of a pair leaves: a share of the range for barriers; a share of the
+/// activation distance, the smaller one, for springs and where pairs need only not pass through each other.
 constexpr double clearance_of_barriers = 0.5, clearance_of_passing = 1e-3;
-/// Least share of its range that a barrier must have left for implicit steps to continue.
+/// Smallest gap, as a share of a barrier's range, at which implicit steps with barriers may follow explicit
+/// steps with springs.
 constexpr double barrier_range_left = 0.02;
 
 double clearance(const ContactPair& pair) {
     return (pair.spring ? clearance_of_passing : clearance_of_barriers) * pair.barrier().range;
 }
 
-/// Mean height of triangles over their longest edge, m: about an edge where triangles are even, the width of
-/// needles.
+/// Mean, over all triangles, of the height above the longest edge, m: nearly the length of an edge for
+/// equilateral triangles, the width for needle-shaped ones.
 double mean_width(const ContactSurface& surface, const Positions& x) {
     double sum = 0;
     for (const auto& [a, b, c] : surface.triangles()) {

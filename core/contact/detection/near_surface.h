@@ -8,8 +8,8 @@
 
 namespace sherd {
 
-/// The columns of x [3, V] m, ascending, that are nearer to triangles on `points` [3, P] m than their reach
-/// [V] m; columns with a negative reach never are.
+/// Returns the numbers, ascending, of the points x ([3, V] m) whose distance from `triangles` on `points`
+/// ([3, P] m) is less than the points' `reach` ([V] m). Points with a negative reach are never returned.
 std::vector<Index> near_surface(const Positions& points, const std::vector<std::array<Index, 3>>& triangles,
                                 const Positions& x, const VectorXd& reach);
 

@@ -13,12 +13,14 @@ namespace {
 /// Largest number of pairs in a block.
 constexpr std::size_t block_size = 512;
 
-/// The vertex by whose place a pair is sorted: one of a sheet, since elements of colliders may be large.
+/// The vertex by whose place a pair is sorted: a vertex of a sheet, since elements of colliders may be large.
+/// (Vertices of sheets have larger numbers.)
 Index place_of(const ContactPair& pair) {
     return *std::ranges::max_element(pair.vertices);
 }
 
-/// The entries in the order of a tree of their places.
+/// Returns the entries in the order that a BoxTree gives to the vertices place_of(pair), so that pairs near
+/// each other follow one another.
 std::vector<PairBlocks::Entry> sorted_in_space(const std::vector<PairBlocks::Entry>& entries,
                                                const Positions& x) {
     std::vector<Index> places;
@@ -109,7 +111,7 @@ double PairBlocks::Block::cell_spread(const std::vector<Box>& boxes) const {
 
 void PairBlocks::add(const std::vector<Entry>& entries, const Positions& x) {
     start = x;
-    if (blocks.empty() && entries.empty()) return;  // cells serve blocks only, and take long to make
+    if (blocks.empty() && entries.empty()) return;  // only blocks need the cells, which take long to make
     const std::vector<Entry> sorted = sorted_in_space(entries, x);
     cells.cover(x);
     std::vector<char> seen(x.cols(), 0);

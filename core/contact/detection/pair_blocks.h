@@ -11,11 +11,12 @@
 
 namespace sherd {
 
-/// Candidate pairs, each with its room, the distance less the activation distance, when it was last measured.
-/// Neighbouring pairs form a block. As long as no two vertices of a block have moved by more than a pair's
-/// room relative to each other, nothing is computed for that pair: most pairs of a sheet that stays in one
-/// piece are never tested. Cells of vertices, which are far fewer, tell first whether a block has a pair to
-/// test. No result depends on when a block was measured.
+/// Candidate pairs, each with its clearance, the distance less the activation distance, at the positions
+/// where it was last measured. Pairs near each other form a block. As long as no two vertices of a block have
+/// moved relative to each other by more than a pair's clearance, that pair cannot be active and nothing is
+/// computed for it: most pairs of a sheet that stays in one piece are never tested. A bound from cells of
+/// vertices (MotionCells), which are far fewer than the vertices, first excludes most blocks as a whole. No
+/// result depends on when the clearances of a block were measured.
 class PairBlocks {
   public:
     struct Entry {
@@ -23,19 +24,22 @@ class PairBlocks {
         double clearance;  ///< m, distance less activation distance
     };
 
-    /// Adds pairs with their room at x. From call to call x may differ only at vertices that have changed.
+    /// Adds pairs with their clearance at x. From call to call only the positions of vertices that were given
+    /// to remove() as changed may differ.
     void add(const std::vector<Entry>& entries, const Positions& x);
-    /// Removes the pairs with a vertex that has changed. The stiffness of the others is computed again.
+    /// Removes the pairs with a vertex whose flag in `changed` is set. The stiffness of the remaining pairs
+    /// is computed again when it is needed.
     void remove(const std::vector<char>& changed);
 
-    /// The active pairs at x, ascending, vertex-triangle pairs first. round_off: m, bound on the round-off of
-    /// distances.
+    /// Returns the active pairs at x, ascending, vertex-triangle pairs first. round_off: m, bound on the
+    /// round-off of distances.
     std::vector<ContactPair> find_active(const ContactSurface& surface, const Positions& x, double round_off,
                                          const Threads& threads);
-    /// Returns the pairs, ascending, for which keep(pair, least) is true. All pairs are tested that are
-    /// nearer at x than `nearness` times their activation distance, plus `reserve` (m), plus the approach of
-    /// their vertices in the motion, if any; and some others; in any order, by several threads at a time.
-    /// least: m, lower bound of the pair's distance at x. Not all pairs have their stiffness.
+    /// Returns the pairs, ascending, for which keep(pair, least) is true, where `least` (m) is a lower bound
+    /// of the pair's distance at x. Tests at least all pairs whose distance at x is less than `nearness`
+    /// times their activation distance, plus `reserve` (m), plus the approach of their vertices in the motion
+    /// (an empty `motion` is none). Several threads call keep() at a time, in any order. The stiffness of
+    /// some pairs is not yet set.
     template <class Keep>
     std::vector<ContactPair> near(const Positions& x, const Positions& motion, double nearness,
                                   double reserve, const Threads& threads, const Keep& keep) const {
@@ -65,32 +69,36 @@ class PairBlocks {
 
   private:
     struct Block {
-        std::vector<Entry> entries;     ///< sorted by room, least first
+        std::vector<Entry> entries;     ///< in ascending order of clearance
         std::vector<Index> vertices;    ///< vertices of all entries, ascending
-        Positions reference;            ///< [3, vertices] m, where the room was measured
-        double largest_activation = 0;  ///< m, upper bound of the activation distances
-        std::size_t idle = 0;           ///< number of tests since then that found a pair inactive
-        bool stale = false;             ///< whether the stiffness of pairs may have changed
-        bool measured = false;          ///< whether the room was measured elsewhere than at the start
-        std::vector<Index> cells;       ///< cells of the vertices, ascending
+        Positions reference;            ///< [3, vertices] m, where clearances were measured
+        double largest_activation = 0;  ///< m, upper bound of the entries' activation distances
+        std::size_t idle = 0;           ///< number of tests since the measurement that found a pair inactive
+        bool stale = false;             ///< whether the stiffness of pairs must be computed again
+        bool measured = false;     ///< whether clearances were measured elsewhere than at PairBlocks::start
+        std::vector<Index> cells;  ///< cells of the block's vertices, ascending
 
-        /// A block with the vertices at x. seen: zeros, one for each vertex.
+        /// A block of the given entries, measured at the positions x. in: cells of all vertices. seen: a
+        /// buffer with a zero for each vertex, all zero again on return.
         Block(std::span<const Entry> given, const Positions& x, const MotionCells& in,
               std::vector<char>& seen);
         Block() = default;
         void remove(const std::vector<char>& changed, const MotionCells& in, std::vector<char>& seen);
+        /// Finds `vertices` and `cells` of the entries.
         void list_vertices(const MotionCells& in, std::vector<char>& seen);
+        /// Measures the clearances at x.
         void measure(const Positions& x);
-        /// Appends the block's active pairs.
+        /// Appends the block's pairs that are active at x. moved_cells: see cell_spread().
         void find_active(const ContactSurface& surface, const Positions& x,
                          const std::vector<Box>& moved_cells, double round_off,
                          std::vector<ContactPair>& active);
         double least_clearance() const { return entries.front().clearance; }
-        /// Bound, m, on the relative motion of any two of the vertices. x: their positions, which moved there
-        /// from `from`; or, if that is null, their motions.
+        /// Upper bound, m, on the relative motion of any two of the block's vertices, which have moved from
+        /// the positions `from` (one column for each of `vertices`) to x (all vertices of the surface). If
+        /// `from` is null, x holds displacements.
         double spread(const Positions& x, const Positions* from) const;
-        /// A cheaper bound, no smaller than spread(), from the boxes of all cells' motions; no boxes: nothing
-        /// moves.
+        /// A cheaper bound, m, which is no smaller than spread(). boxes: of the displacements in each cell
+        /// (MotionCells::boxes()); empty if no vertex moves.
         double cell_spread(const std::vector<Box>& boxes) const;
         void visit_state(StateVisitor& visit) {
             auto& [entries, vertices, reference, largest_activation, idle, stale, measured, cells] = *this;
@@ -98,7 +106,8 @@ class PairBlocks {
         }
     };
 
-    /// The pairs that find(block, pairs) appends, ascending.
+    /// Returns the pairs, ascending, that calls of find(block, pairs) with the number of each block append to
+    /// `pairs`.
     template <class Find>
     std::vector<ContactPair> from_blocks(const Threads& threads, const Find& find) const {
         constexpr Index at_once = 16;
@@ -115,7 +124,7 @@ class PairBlocks {
 
     std::vector<Block> blocks;
     MotionCells cells;
-    Positions start;  ///< m, positions at which blocks were made
+    Positions start;  ///< [3, V] m, positions x of the last add()
 };
 
 }  // namespace sherd

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contact of the bodies' surfaces (explicit_bodies.h) with each other and with those of obstacles.
+// Member functions of ExplicitBodies (explicit_bodies.h) for contact of the bodies' surfaces with the shell,
+// with each other and with the surfaces of obstacles.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -18,7 +19,8 @@ double largest_mobility(const RigidBody& body, double arm) {
     return 1 / body.mass + arm * arm / body.inertia.minCoeff();
 }
 
-/// Rotation vector, rad, of a body between two states that are `length` s apart, whole turns included.
+/// Rotation vector, rad, of a body from the state `from` to the state `to`, `length` s later, whole turns
+/// included.
 Vector3d turn_of(const RigidBody& from, const RigidBody& to, double length) {
     const Eigen::AngleAxisd turn(to.rotation * from.rotation.transpose());
     const double spun = 0.5 * length * (from.spin() + to.spin()).dot(turn.axis());
@@ -146,7 +148,8 @@ void ExplicitBodies::add_surfaces(double length, std::span<const Eigen::Isometry
             throw std::runtime_error(
                 "contact: a free body passes through another one, or through an obstacle: the springs of "
                 "explicit contact are too weak; a stiffer body, less speed, or implicit steps may help");
-        // Each pair may stop the sliding of all.
+        // Each pair alone may stop the sliding of the whole body, so that all pairs together must share its
+        // mass.
         const double sharing = met->coefficient() > 0 ? met->count_active(places) : 0;
         met->each_active(places, [&](const ContactPair& pair, const PairPositions& at) {
             add_surface_pair(*met, at, pair.vertices, -gradient(pair, at),

@@ -12,10 +12,11 @@
 
 namespace sherd {
 
-/// Friction, N, [3, 4], on the vertices of two elements in contact, in an explicit substep of `length` s. at,
-/// velocity: [3, 4] m and m/s, of the vertices. It has no net force and no net torque. mobility(along):
-/// change of the slip's velocity per impulse, 1/kg, by forces `along` [3, 4] on the vertices that do the work
-/// of a unit force on the slip.
+/// Returns the friction, N, [3, 4], on the vertices of two elements in contact, in an explicit substep of
+/// `length` s; its sum and its torque are zero. at: [3, 4] m, positions of the vertices; velocity: [3, 4]
+/// m/s, their velocities; coefficient: Coulomb coefficient. mobility(along): returns the change of the slip's
+/// velocity per impulse, 1/kg, where a unit force against the slip is distributed to the vertices as the
+/// forces `along`, [3, 4].
 template <class Mobility>
 PairPositions pair_friction(const ContactPair& pair, const PairPositions& at, const PairPositions& velocity,
                             double coefficient, double length, Mobility mobility) {
@@ -29,19 +30,20 @@ PairPositions pair_friction(const ContactPair& pair, const PairPositions& at, co
     return -friction_force.norm() * along;
 }
 
-/// Velocity, m/s, of the point `at` (m, at the end) of a rigid collider that moves from one pose to another
-/// in `length` s.
+/// Mean velocity, m/s, of a point of a rigid collider that moves from the pose `before` to the pose `now` in
+/// `length` s. at: m, position of the point at the pose `now`.
 inline Vector3d velocity_of_point(const Eigen::Isometry3d& before, const Eigen::Isometry3d& now,
                                   const Vector3d& at, double length) {
     return (at - before * (now.inverse() * at)) / length;
 }
 
-/// Forces of contact in one evaluation of an explicit substep.
+/// Forces of contact in one substep of an explicit step.
 struct ContactForces {
-    Positions force;                  ///< [3, V] N, on the shell
-    std::vector<Reaction> obstacles;  ///< forces of each obstacle on shell and bodies
-    Positions deforming;              ///< [3, S] N, on the vertices of colliders; empty: none deforms
-    // Friction's part of these forces:
+    Positions force;                  ///< [3, V] N, forces on the vertices of the shell
+    std::vector<Reaction> obstacles;  ///< forces of each obstacle on the shell and the bodies
+    /// Forces, N, [3, S], on the vertices of colliders; without columns if no collider deforms.
+    Positions deforming;
+    // The parts of `force`, `obstacles` and `deforming` that friction causes:
     Positions friction;
     std::vector<Reaction> obstacle_friction;
     Positions deforming_friction;
@@ -51,7 +53,8 @@ struct ContactForces {
         visit(force, obstacles, deforming, friction, obstacle_friction, deforming_friction);
     }
 
-    /// Sets all forces to zero. of_colliders: number of the colliders' vertices, or 0 if no collider deforms.
+    /// Sets all forces to zero. vertices: number of the shell's vertices; of_colliders: number of the
+    /// colliders' vertices, or 0 if no collider deforms.
     void clear(Eigen::Index vertices, std::size_t number_of_obstacles, Eigen::Index of_colliders) {
         deforming.setZero(3, of_colliders);
         deforming_friction.setZero(3, of_colliders);
@@ -60,12 +63,13 @@ struct ContactForces {
         obstacles.assign(number_of_obstacles, {});
         obstacle_friction.assign(number_of_obstacles, {});
     }
-    /// Adds friction that an obstacle exerts at a point (m), N.
+    /// Adds a friction force (N) that an obstacle exerts at the point `at` (m).
     void add_friction(std::size_t obstacle, const Vector3d& at, const Vector3d& friction_force) {
         obstacles[obstacle].add(at, friction_force);
         obstacle_friction[obstacle].add(at, friction_force);
     }
-    /// Adds a force, N, on a vertex of colliders; add_collider_friction() adds friction.
+    /// Adds a force (N) on a vertex of colliders. add_collider_friction() adds the force to the friction,
+    /// too.
     void add_collider_force(Index vertex, const Vector3d& contact_force) {
         if (deforming.cols() > 0) deforming.col(vertex) += contact_force;
     }
@@ -73,20 +77,21 @@ struct ContactForces {
         add_collider_force(vertex, friction_force);
         if (deforming.cols() > 0) deforming_friction.col(vertex) += friction_force;
     }
-    /// Adds friction on a vertex of the shell.
+    /// Adds a friction force (N) on a vertex of the shell.
     void add_friction(Index vertex, const Vector3d& friction_force) {
         force.col(vertex) += friction_force;
         friction.col(vertex) += friction_force;
     }
 };
 
-/// A substep in which contact forces act.
+/// A substep of an explicit step, and the shell's motion in it.
 struct Substep {
     double length;              ///< s
-    const Positions& position;  ///< [3, V] m, at its end
-    const Positions& velocity;  ///< [3, V] m/s, in the middle of it
+    const Positions& position;  ///< [3, V] m, at the end of the substep
+    const Positions& velocity;  ///< [3, V] m/s, in the middle of the substep
 };
 
+/// Returns the means of the reactions at the same index.
 inline std::vector<Reaction> means(std::vector<Reaction> some, std::span<const Reaction> others) {
     for (std::size_t i = 0; i < some.size(); ++i) {
         some[i].force = 0.5 * (some[i].force + others[i].force);

@@ -205,7 +205,7 @@ void ExplicitBodies::add_forces(const Substep& substep, std::span<const Eigen::I
         of_contact += work(before[b], forces[b], b);
         of_friction += work(friction_before[b], friction[b], b);
         of_weight += all[b].mass * gravity.dot(moved[b].head<3>());
-        moved[b].setZero();  // counted
+        moved[b].setZero();  // so that the work is counted once
     }
 }
 
@@ -260,9 +260,10 @@ double ExplicitBodies::stored_energy(const Positions& x, std::span<const Eigen::
 
 double ExplicitBodies::largest_rate(const StepContext& step, double margin) const {
     double largest = 0, of_points = 0;
-    // The body's shape acts on a vertex with the stiffness of a column, and its surface, between vertices,
-    // with half of that for each kind of pair. The vertex may be as far from a body that touches an edge or a
-    // face as these are long.
+    // The body's shape acts on a vertex with the stiffness of a column of sheet. The body's surface acts with
+    // half of this stiffness through each of the two kinds of pair, hence the factor of two. If the body
+    // touches an edge or a face, the vertices of that element may be away from the body by up to the
+    // element's size, hence `longest`.
     for (std::size_t b = 0; b < all.size(); ++b) {
         const double reach = margin + (pairs[b] ? longest : 0);
         largest = std::max(largest, 2 * at_vertices[b].largest_rate(step.origin, all[b].pose(), reach) +

@@ -186,7 +186,8 @@ double ExplicitContact::largest_rate(const StepContext& step, const Positions& m
     if (!sheets) return sum;
     sheets->begin(step);
     const std::vector<ContactPair> reached = sheets->pairs_within_reach(x, motion);
-    // Gershgorin: a pair's stiffness acts on each vertex by its weight, and the weights sum to two.
+    // Gershgorin's bound: the row sum of a pair's stiffness matrix at a vertex is the stiffness times the
+    // vertex's weight in the closest points times two, the sum of all weights.
     const Index first = sheets->surface().collider_vertices();
     VectorXd rate = VectorXd::Zero(shell.mass.size());
     const Positions all = sheets->at_start(x);

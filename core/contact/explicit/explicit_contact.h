@@ -13,45 +13,46 @@
 
 namespace sherd {
 
-/// All contact of a run in explicit steps. Springs at vertices and at crack faces, and the
-/// stiffness of columns of a sheet, are those of implicit steps (Contact), but pairs of elements are springs,
-/// too, and friction is a force at the present velocity that never reverses the sliding.
+/// All contact of a run in explicit steps. Springs at vertices and at crack faces, and the stiffness of pairs
+/// of elements, are as in implicit steps (Contact). But pairs of elements are springs instead of barriers,
+/// and friction is a force that follows from the present velocity and never reverses the sliding.
 class ExplicitContact {
   public:
     /// The shell must outlive this object. gravity: m/s^2, acts on the bodies.
     ExplicitContact(const Shell& shell, ContactOptions options, const ContactStart& start,
                     const Vector3d& gravity, const Threads& threads);
-    ExplicitContact(const ExplicitContact&) = delete;  // parts refer to its obstacles
+    ExplicitContact(const ExplicitContact&) = delete;  // members hold references to its obstacles
 
-    /// Begins a step at `time` (s); first: whether it is the first of this object.
+    /// Begins a step at `time` (s); first: whether the step is the first of this object.
     void begin(double time, bool first);
-    /// Moves the obstacles to their poses at `time` (s); `before`: s, of their last poses.
+    /// Begins a substep: moves the obstacles from their poses at the time `before` (s) to their poses at
+    /// `time` (s).
     void place(double before, double time);
     void shell_changed(const ShellChange& change);
-    /// Computes the forces at the end of a substep, with the obstacles at their last poses.
+    /// Computes the forces at the end of a substep, with the obstacles where place() has moved them.
     void find_forces(const Substep& substep, ContactForces& forces);
-    /// Elastic energy, J, of all contacts with the shell at x.
+    /// Elastic energy, J, of all contacts, with the shell at x, [3, V] m.
     double stored_energy(const Positions& x) const;
-    /// An upper bound of the square of the frequencies, 1/s^2, that contact may add to those of the shell in
-    /// a step in which it moves by `motion` [3, V] m.
+    /// An upper bound on the increase of squared frequencies, 1/s^2, of shell and bodies by contact in a step
+    /// in which the shell moves by `motion`, [3, V] m.
     double largest_rate(const StepContext& step, const Positions& motion);
-    /// Ends a step with the shell at `end` [3, V] m. Returns false if a sheet passes through another one, or
-    /// through the surface of an obstacle or a body, in the straight motion from its origin: springs have
-    /// become firmer, and the step must be repeated. Throws std::runtime_error if springs cannot become
-    /// firmer, as always with ContactOptions::barriers_follow, or if with it a pair is too near for a
-    /// barrier.
+    /// Ends a step with the shell at `end`, [3, V] m. If a sheet passes through another one, or through the
+    /// surface of an obstacle or a body, in the straight motion from the step's origin, makes springs stiffer
+    /// and returns false: the step must be repeated. Throws std::runtime_error if springs cannot become
+    /// stiffer, as always with ContactOptions::barriers_follow. With barriers_follow, also throws if a pair
+    /// is too near for a barrier.
     bool end(const StepContext& step, const Positions& end);
-    /// Throws std::runtime_error: something has passed through the springs of contact.
+    /// Throws std::runtime_error with the message that a sheet, an obstacle or a body has passed through a
+    /// sheet against the springs of contact.
     [[noreturn]] static void refuse_passage();
     /// Work, J, of the obstacles, which move and deform as prescribed, in the substep of the last place().
-    /// forces, on_deforming: means over the substep of the obstacles' forces, and of those on the vertices of
-    /// deforming ones (ContactForces).
+    /// forces, on_deforming: means over the substep of ContactForces::obstacles and ContactForces::deforming.
     double obstacle_work(std::span<const Reaction> forces, const Positions& on_deforming) const;
 
     ExplicitBodies& of_bodies() { return bodies; }
     const ExplicitBodies& of_bodies() const { return bodies; }
     Touch touch(const Positions& x) const;
-    Positions crack_face_forces(const Positions& x) const;  ///< N, [3, V]
+    Positions crack_face_forces(const Positions& x) const;  ///< N, [3, V], between crack faces
     double crack_face_overlap(const Positions& x) const { return crack_faces.largest_overlap(x); }  ///< m
     void visit_state(StateVisitor& visit) {
         auto& [options, shell, threads, bodies, at_vertices, substep, before, now, sheets, crack_faces,
@@ -63,14 +64,16 @@ class ExplicitContact {
     bool passes(const StepContext& step, const Positions& end);
     bool allows_barriers(const Positions& end) const;
     void set_second_spring(SecondSpring of_pairs);
-    /// Makes the second springs (SecondSpring) stiffer, in a range that no pair has entered at the beginning
-    /// of the step. Returns false if there is none, or if they are as stiff as they may be.
+    /// Makes the second springs (SecondSpring) stiffer, and chooses a range for them that contains no pair at
+    /// the beginning of the step. Returns false if there is no such range, or if the second springs already
+    /// have their largest stiffness.
     bool stiffen_springs(const StepContext& step);
     /// Removes the second springs if no pair at the end of the step is in their range.
     void relax(const Positions& end);
     void add_obstacles(const Substep& substep, ContactForces& sum) const;
     void add_sheets(const Substep& substep, ContactForces& sum) const;
-    // all: positions of colliders and sheets at the end of the substep.
+    // In the next two functions, all: [3, S + V] m, positions of colliders and sheets at the end of the
+    // substep.
     void add_sheet_friction(const Substep& substep, const Positions& all, ContactForces& sum) const;
     /// Friction, N, on the vertices of a pair.
     PairPositions friction_of(const ContactPair& pair, const Substep& substep, const Positions& all) const;
@@ -79,10 +82,12 @@ class ExplicitContact {
     const Shell& shell;
     Threads threads;
     ExplicitBodies bodies;
-    std::vector<VertexContact> at_vertices;      ///< contact of vertices with each obstacle
-    StepContext substep;                         ///< from the obstacles' last poses to their present ones
-    std::vector<Eigen::Isometry3d> before, now;  ///< poses of the obstacles at its beginning and its end
-    std::unique_ptr<SheetContact> sheets;        ///< null if no surfaces collide
+    std::vector<VertexContact> at_vertices;  ///< for each obstacle, contact of the shell's vertices with it
+    StepContext substep;                     ///< begin and length are set by the last place()
+    /// Poses of the obstacles at the beginning and at the end of `substep`.
+    std::vector<Eigen::Isometry3d> before, now;
+    /// Null if sheets do not collide with each other and no obstacle has a surface.
+    std::unique_ptr<SheetContact> sheets;
     CrackFaceContact crack_faces;
     SecondSpring second_spring;  ///< second spring of all pairs
 };

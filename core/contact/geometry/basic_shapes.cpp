@@ -7,7 +7,7 @@
 namespace sherd {
 namespace {
 
-/// Distance, in N dimensions, of a point in the positive octant from a box centred at the origin.
+/// Signed distance, in N dimensions, of a point in the positive octant from a box centred at the origin.
 template <int N>
 struct OctantDistance {
     using Vector = Eigen::Matrix<double, N, 1>;
@@ -15,7 +15,7 @@ struct OctantDistance {
     Vector gradient = Vector::Zero();
     Eigen::Matrix<double, N, N> hessian = Eigen::Matrix<double, N, N>::Zero();
 
-    /// beyond: the point's coordinates less those of the box's corner.
+    /// beyond: the point's coordinates less the coordinates of the box's corner in that octant, m.
     explicit OctantDistance(const Vector& beyond) {
         Eigen::Index nearest = 0;
         distance = beyond.maxCoeff(&nearest);
@@ -39,7 +39,7 @@ SurfaceDistance PlaneShape::distance(const Vector3d& at) const {
 Eigen::AlignedBox3d PlaneShape::bounds() const {
     const Vector3d all = Vector3d::Constant(std::numeric_limits<double>::infinity());
     Eigen::AlignedBox3d box(-all, all);
-    for (int axis = 0; axis < 3; ++axis) {  // tight for a floor, which most vertices are above
+    for (int axis = 0; axis < 3; ++axis) {  // a tight box for a floor, since most vertices are above it
         if (normal == Vector3d::Unit(axis)) box.max()[axis] = point[axis];
         if (normal == -Vector3d::Unit(axis)) box.min()[axis] = point[axis];
     }

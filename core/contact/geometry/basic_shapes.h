@@ -5,7 +5,7 @@
 
 namespace sherd {
 
-/// A half-space; the collider is behind the plane.
+/// A half-space; the collider is on the side of the plane away from `normal`.
 struct PlaneShape : Shape {
     Vector3d point = Vector3d::Zero();    ///< m
     Vector3d normal = Vector3d::UnitZ();  ///< unit length, points out of the collider
@@ -26,7 +26,8 @@ struct SphereShape : Shape {
     Eigen::AlignedBox3d bounds() const override;
 };
 
-/// A box with its sides along the axes. Its offset surfaces outside are rounded at edges and corners.
+/// A box with its sides along the axes. Surfaces of constant distance outside the box are rounded at edges
+/// and corners.
 struct BoxShape : Shape {
     Vector3d centre = Vector3d::Zero();  ///< m
     Vector3d half = Vector3d::Ones();    ///< m, half of the sides' lengths
@@ -50,7 +51,8 @@ struct CylinderShape : Shape {
     Eigen::AlignedBox3d bounds() const override;
 };
 
-/// Shape of a surface without inside, which is open or deforms. Sheets collide with its triangles only.
+/// Shape of a surface that has no inside because it is open or deforms. Sheets collide only with the
+/// triangles of its ColliderSurface.
 struct OpenSurface : Shape {
     SurfaceDistance distance(const Vector3d& at) const override;  ///< infinite
     Eigen::AlignedBox3d bounds() const override;                  ///< empty

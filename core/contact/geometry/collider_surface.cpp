@@ -12,7 +12,7 @@ namespace {
 
 constexpr double flat = 1e-9;  // sine of the angle below which two triangles count as coplanar
 
-/// A triangle's normal vector, of length twice its area.
+/// Normal vector of a triangle, m^2; its length is twice the triangle's area.
 Vector3d normal(const Positions& points, const std::array<Index, 3>& triangle) {
     const Vector3d origin = points.col(triangle[0]);
     return (points.col(triangle[1]) - origin).cross(points.col(triangle[2]) - origin);

@@ -9,10 +9,11 @@ namespace {
 
 using Direction = Eigen::Vector4d;
 
-/// Squared sine of an angle below which two directions, known to 1e-16, count as parallel.
+/// Squared sine of the angle below which two directions, known to a relative error of 1e-16, count as
+/// parallel.
 constexpr double parallel = 1e-28;
 
-/// Closest points of vertex p and the edge from a to b.
+/// The closest points of the vertex in column p of x and the edge from column a to column b.
 Closest vertex_edge(const PairPositions& x, int p, int a, int b) {
     const Vector3d along = x.col(b) - x.col(a);
     const double way = (x.col(p) - x.col(a)).dot(along), length = along.squaredNorm();
@@ -30,8 +31,8 @@ Closest vertex_edge(const PairPositions& x, int p, int a, int b) {
     return closest;
 }
 
-/// Parameters (s, t) that minimise |r + s u + t v|, for u and v not parallel. Orthogonalisation keeps digits
-/// on needles that the normal equations would lose.
+/// Returns the parameters (s, t) that minimise |r + s u + t v|, for u and v that are not parallel. The
+/// orthogonalisation keeps digits that the normal equations would lose for needle-shaped triangles.
 Vector2d minimising(const Vector3d& r, const Vector3d& u, const Vector3d& v) {
     const double projection = u.dot(v) / u.squaredNorm();
     const Vector3d across = v - projection * u;
@@ -39,7 +40,7 @@ Vector2d minimising(const Vector3d& r, const Vector3d& u, const Vector3d& v) {
     return {-r.dot(u) / u.squaredNorm() - t * projection, t};
 }
 
-/// The closest of the candidates seen so far.
+/// The closest points among the candidates that were passed to the constructor and to improve().
 struct Best {
     const PairPositions& x;
     Closest closest;
@@ -55,7 +56,7 @@ struct Best {
     }
 };
 
-/// The closest points if both elements were infinite: start + s first + t second in the weights.
+/// The closest points of the lines through two edges, or of a vertex and the plane of a triangle.
 Closest both_inside(PairKind kind, const PairPositions& x) {
     Closest closest;
     closest.freedom = 2;
@@ -98,7 +99,7 @@ double distance_of_boxes(PairKind kind, const PairPositions& x) {
 }
 
 double squared_distance(const Closest& closest, const PairPositions& x) {
-    // Differences are taken first, which keeps digits far from the origin.
+    // Differences of positions are taken first, which keeps digits far from the origin.
     const auto part = [&](int i) { return closest.weights[i] * (x.col(i) - x.col(0)); };
     return Vector3d(part(1) + part(2) + part(3)).squaredNorm();
 }
@@ -117,7 +118,7 @@ Closest closest_points(PairKind kind, const PairPositions& x) {
     const Closest inside = both_inside(kind, x);
     const Direction w = edges ? Direction(inside.weights.cwiseProduct(Direction(1, 1, -1, -1)))
                               : Direction(inside.weights.cwiseProduct(Direction(1, -1, -1, -1)));
-    if ((w.array() > 0).all()) best.improve(inside);  // false for NaN, which parallel directions give
+    if ((w.array() > 0).all()) best.improve(inside);  // false for NaN, the result for parallel edges
     return best.closest;
 }
 
@@ -133,7 +134,7 @@ PairHessian squared_distance_hessian(const Closest& closest, const PairPositions
         for (int j = 0; j < 4; ++j) h.block<3, 3>(3 * i, 3 * j).diagonal().setConstant(2 * w[i] * w[j]);
     const Eigen::Matrix3d edges = x.rightCols<3>().colwise() - x.col(0);
     const Vector3d between = edges * w.tail<3>();
-    // With orthogonal directions f_aa is diagonal.
+    // With orthogonal directions, the matrix f_aa of the header is diagonal.
     Direction first = closest.directions.col(0), second = closest.directions.col(1);
     if (closest.freedom == 2) {
         const Vector3d u = edges * first.tail<3>(), v = edges * second.tail<3>();

@@ -14,13 +14,13 @@ struct SurfaceDistance {
     Matrix3d hessian;   ///< 1/m
 };
 
-/// A collider, given by its signed distance in a frame of its own.
+/// A collider, given by the signed distance from its surface, in the collider's own frame.
 struct Shape {
     virtual ~Shape() = default;
-    /// Signed distance, continuous, with its exact derivatives. Far outside, sampled shapes may return an
-    /// infinite distance and no derivatives.
+    /// Signed distance of `point` (m), continuous, with its exact derivatives. Far outside, sampled shapes
+    /// may return an infinite distance without meaningful derivatives.
     virtual SurfaceDistance distance(const Vector3d& point) const = 0;
-    /// A box that contains the collider; infinite where the collider is.
+    /// A box, m, that contains the collider; infinite in directions in which the collider is infinite.
     virtual Eigen::AlignedBox3d bounds() const = 0;
 };
 

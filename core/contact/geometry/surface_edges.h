@@ -10,13 +10,14 @@ namespace sherd {
 
 /// An edge of a triangle surface, with the area of the surface that is nearest to it.
 struct SurfaceEdge {
-    std::array<Index, 2> ends{};       ///< ascending
-    double area = 0;                   ///< m^2, a third of the area of each adjacent triangle
+    std::array<Index, 2> ends{};       ///< vertex numbers, ascending
+    double area = 0;                   ///< m^2, a third of the total area of the adjacent triangles
     int triangles = 0;                 ///< number of adjacent triangles
     std::array<Index, 2> first_two{};  ///< numbers of the first two adjacent triangles
 };
 
-/// The edges of triangles with the given areas (m^2), each once, in ascending order of their ends.
+/// Returns each edge of the triangles once, in ascending order of the edges' ends. areas: m^2, of the
+/// triangles.
 std::vector<SurfaceEdge> surface_edges(const std::vector<std::array<Index, 3>>& triangles,
                                        const std::vector<double>& areas);
 

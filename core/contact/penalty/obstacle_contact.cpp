@@ -6,8 +6,8 @@ namespace sherd {
 void ObstacleContact::begin(const StepContext& step) {
     before = obstacle.motion.at(step.begin);
     pose = obstacle.motion.at(step.end());
-    // An obstacle at rest moves by exactly the identity, which the product of pose and inverse misses by
-    // round-off.
+    // The motion of an obstacle at rest must be exactly the identity; the product of its pose and the inverse
+    // pose differs from it by round-off.
     const Eigen::Isometry3d moved =
         obstacle.moves() ? pose * before.inverse() : Eigen::Isometry3d::Identity();
     contact.begin(before, moved.linear(), step.length, elastic_slip,

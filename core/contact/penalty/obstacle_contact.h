@@ -8,20 +8,22 @@
 
 namespace sherd {
 
-/// VertexContact of the shell and an obstacle in one step, with the obstacle's pose at the step's end.
+/// Contact of the shell's vertices with an obstacle in one step (see VertexContact). Springs use the
+/// obstacle's pose at the end of the step.
 class ObstacleContact : public Energy {
   public:
-    /// Shell and obstacle must outlive this object. number: of the obstacle in Shell::start_depths.
+    /// Shell and obstacle must outlive this object. number: the obstacle's number in Shell::start_depths.
     ObstacleContact(const Shell& shell, const Obstacle& obstacle, std::size_t number = 0)
         : shell(shell), obstacle(obstacle), contact(shell, obstacle, number) {}
     void begin(const StepContext& step) override;
     void finish(const Positions& x) { contact.store_slip(x, Eigen::Isometry3d::Identity(), elastic_slip); }
-    double value(const Positions& x) const override;  ///< J, with the friction potential
+    double value(const Positions& x) const override;  ///< J, includes the friction potential
     void add_gradient(const Positions& x, Positions& gradient) const override;
     void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const override;
     Task task() const override { return Task::contact; }
 
-    /// Elastic energy stored in the contacts, J, at x and at the beginning of the step.
+    /// Elastic energy stored in the contacts, J: with the shell at x at the end of the step, and at the
+    /// beginning of the step.
     double stored_energy(const Positions& x) const { return stored_energy(x, pose); }
     double stored_at_start() const { return stored_energy(shell.position, before); }
     /// Energy dissipated by friction in the step that ends at x, J.
@@ -37,15 +39,16 @@ class ObstacleContact : public Energy {
 
   private:
     double stored_energy(const Positions& x, const Eigen::Isometry3d& there) const;
-    /// Calls add(vertex, force) for each force on a vertex.
+    /// Calls add(vertex, force) for each force on a vertex; force: a PointForce.
     template <class Add>
     void each_force(const Positions& x, Curvature curvature, Add add) const;
 
     const Shell& shell;
     const Obstacle& obstacle;
-    VertexContact contact;            ///< anchors in space
+    /// Anchors (SlidingPoint) in space, moved with the obstacle to the end of the step.
+    VertexContact contact;
     StickMemory<Index> elastic_slip;  ///< elastic slip at the end of the last finished step
-    Eigen::Isometry3d before, pose;   ///< at the beginning and at the end of the step
+    Eigen::Isometry3d before, pose;   ///< poses of the obstacle at the beginning and at the end of the step
 };
 
 }  // namespace sherd

@@ -13,16 +13,19 @@
 namespace sherd {
 
 /// Contact of sheets and fragments with each other, with themselves and with the surfaces of colliders: the
-/// sum of the barriers of all vertex-triangle and edge-edge pairs that are closer than half the sum of their
-/// thicknesses (Li et al. 2020, with the thickness of Li, Kaufman, Jiang 2021). It is infinite where a pair
-/// is closer than its minimum, which no motion up to safe_fraction() reaches.
+/// sum of the barriers of all vertex-triangle and edge-edge pairs that are closer than their activation
+/// distance, about half the sum of their thicknesses (Li et al. 2020, with the thickness of Li, Kaufman,
+/// Jiang 2021; see ContactSurface). Unless pairs are springs, the energy is infinite where a pair is closer
+/// than its minimum distance, which no motion up to safe_fraction() reaches. S is the number of the
+/// colliders' vertices, V the number of the shell's.
 class SheetContact : public Energy {
   public:
     /// The shell must outlive this object. sheets_meet: whether elements of sheets collide with each other.
-    /// springs: see ContactSurface. threads: share the search for pairs and the computation of forces.
+    /// springs: see ContactSurface. threads: they share the search for pairs and the computation of forces.
     explicit SheetContact(const Shell& shell, std::vector<Obstacle> obstacles = {}, bool sheets_meet = true,
                           bool springs = false, Threads threads = Threads());
-    /// Places the colliders; energies are evaluated with them at the end of the step.
+    /// Places the colliders at the beginning and the end of the step. value() and its derivatives are
+    /// evaluated with the colliders at the end of the step.
     void begin(const StepContext& step) override;
     void topology_changed(const ShellChange& change, const StepContext& step) override;
     /// Must be called when the shell, or its exempt vertices, have changed.
@@ -37,45 +40,52 @@ class SheetContact : public Energy {
     double safe_fraction(const Positions& x, const Positions& motion) const override;
     double stored_at_start() const;  ///< value() at the beginning of the step, J
 
-    /// safe_fraction() from the shell at x and the colliders at the beginning of the step, with the motion of
-    /// the colliders in the step included.
+    /// The fraction of safe_fraction() for a motion of the shell from x, and of the colliders from their
+    /// positions at the beginning of the step to the end.
     double safe_fraction_of_step(const Positions& x, const Positions& motion) const;
-    /// For each vertex that is near a moving collider, or will be, the displacement of the collider in the
-    /// step; zero for the other vertices. x: positions at the beginning of the step. [3, V] m.
+    /// Returns [3, V] m, for each vertex of the shell: the displacement, in the step, of the moving collider
+    /// that the vertex is near at some moment of the step if it rests at x; zero if there is no such
+    /// collider. x: positions at the beginning of the step.
     Positions push_displacement(const Positions& x) const;
 
     const ContactSurface& surface() const { return near.surface(); }
-    /// Number of the obstacle to which a vertex of colliders, numbered as in surface(), belongs.
+    /// Number of the obstacle to which `vertex` belongs, a vertex of colliders numbered as in surface().
     std::size_t obstacle_number(Index vertex) const { return obstacle_of[surface().collider_number(vertex)]; }
-    /// The colliders' vertices at the end of the step, or at its beginning, followed by x [3, V], as
-    /// surface() numbers them, [3, surface().vertices()].
+    /// The colliders' vertices at the end (at_end) or at the beginning (at_start) of the step, followed by x
+    /// [3, V]: [3, S + V] m, in the order of surface(). The result of at_end() is valid until the next call
+    /// of a function of this object.
     const Positions& at_end(const Positions& x) const { return with(end, x); }
     Positions at_start(const Positions& x) const { return with(start, x); }
-    const Positions& colliders_at_start() const { return start; }  ///< [3, S] m
-    /// The active pairs at x, ascending, vertex-triangle pairs first. They are valid until the next call.
+    const Positions& colliders_at_start() const { return start; }  ///< [3, S] m, their vertices
+    /// Returns the active pairs at x, with the colliders at the end of the step: ascending, vertex-triangle
+    /// pairs first. The list is valid until the next call.
     const std::vector<ContactPair>& active_pairs(const Positions& x) const {
         return near.active_pairs(at_end(x));
     }
-    /// Active pairs at positions that at_end() has returned.
+    /// Active pairs at `all`, positions that at_end() has returned.
     const std::vector<ContactPair>& active_pairs_of(const Positions& all) const {
         return near.active_pairs(all);
     }
-    /// A superset of the active pairs and of all pairs that are nearer than a tenth of the thinnest sheet's
-    /// thickness.
+    /// Returns a superset of the pairs that are active at x or whose distance there is less than a tenth of
+    /// the thinnest sheet's thickness.
     std::vector<ContactPair> pairs_nearby(const Positions& x) const { return near.pairs_nearby(at_end(x)); }
     /// Active pairs at x, with the colliders at the beginning of the step.
     const std::vector<ContactPair>& active_pairs_at_start(const Positions& x) const {
         return near.active_pairs(with(start, x));
     }
-    /// The pairs that may be active somewhere in the step, in which the shell moves straight from x.
+    /// Returns the pairs that may be active somewhere in the step, in which the shell moves from x straight
+    /// by `motion`.
     std::vector<ContactPair> pairs_within_reach(const Positions& x, const Positions& motion) const {
         return near.pairs_within_reach(with(start, x), with_colliders(motion));
     }
-    /// Adds the forces of the colliders' surfaces on sheets at x to the reactions, one for each obstacle.
+    /// Adds the forces that the colliders' surfaces exert on sheets at x to `of_obstacles`, which has one
+    /// reaction for each obstacle.
     void add_reactions(const Positions& x, std::span<Reaction> of_obstacles) const {
         add_reactions(pairs_at(at_end(x)), x, of_obstacles);
     }
-    /// Adds the forces of other elements on the vertices of surface() to the reactions.
+    /// Adds the forces that `elements` between sheets and colliders, such as friction, exert on sheets at x
+    /// to the reactions `of_obstacles`. The elements' vertices are numbered as in surface(), less the number
+    /// of the colliders' vertices, so that vertices of colliders have negative numbers.
     template <class Elements>
     void add_reactions(const Elements& elements, const Positions& x, std::span<Reaction> of_obstacles) const {
         const Index first = surface().collider_vertices();
@@ -89,9 +99,11 @@ class SheetContact : public Energy {
                 if (vertices[v] >= 0) reaction.add(x.col(vertices[v]), -gradient.col(v));
         }
     }
-    /// Work, J, of deforming obstacles on the shell at x in the step, from the forces on their vertices.
+    /// Work, J, that deforming obstacles do in the step against the contact forces on their vertices, for the
+    /// shell at x.
     double work_of_deforming(const Positions& x) const { return work_of_deforming(pairs_at(at_end(x)), x); }
-    /// Work, J, in the step, of the forces of other elements on the vertices of deforming obstacles.
+    /// Work, J, that deforming obstacles do in the step against the forces of `elements` on their vertices;
+    /// the elements are numbered as in add_reactions().
     template <class Elements>
     double work_of_deforming(const Elements& elements, const Positions& x) const {
         double sum = 0;
@@ -106,24 +118,27 @@ class SheetContact : public Energy {
         }
         return sum;
     }
-    /// Displacement, m, of a vertex of colliders in the step.
+    /// Displacement, m, in the step, of a vertex of colliders, numbered as in surface().
     Vector3d collider_displacement(Index vertex) const { return end.col(vertex) - start.col(vertex); }
-    /// Adds the vertices that touch colliders at x, and the surfaces of these colliders.
+    /// Adds the vertices of the shell that touch colliders at x to `vertices`, and the surfaces of these
+    /// colliders to `touched`.
     void add_touched(const Positions& x, std::set<Index>& vertices,
                      std::set<const ColliderSurface*>& touched) const {
         near.add_touched(at_end(x), vertices, touched);
     }
-    /// A message with the vertices of the first pair that is closer than its minimum at the beginning of the
-    /// step, where the shell is at x; nothing if there is none.
+    /// Returns an error message with the vertices of the first pair that is closer than its minimum distance
+    /// at the beginning of the step, where the shell is at x; nothing if there is no such pair.
     std::optional<std::string> overlap(const Positions& x) const;
-    /// Whether pairs that are springs could be barriers, with the shell at x at the end of the step.
+    /// Whether pairs that are springs could be barriers, with the shell at x and the colliders at the end of
+    /// the step.
     bool allows_barriers(const Positions& x) const { return near.allow_barriers(at_end(x)); }
-    /// See NearPairs; colliders are at the beginning of the step, or at its end.
+    /// See NearPairs::least_share(): the colliders are at the beginning (at_start) or at the end (at_end) of
+    /// the step.
     double least_share_at_start(const Positions& x) const { return near.least_share(with(start, x)); }
     double least_share_at_end(const Positions& x) const { return near.least_share(with(end, x)); }
     void set_second_spring(SecondSpring second_spring) { near.set_second_spring(second_spring); }
-    /// Whether sheets pass through each other, or through a collider, in the step of the last begin(). The
-    /// shell moves straight from x, colliders by their prescribed motion.
+    /// Whether sheets pass through each other, or through a collider, in `step`, the step of the last
+    /// begin(). The shell moves straight from x to end_of_shell, colliders by their prescribed motion.
     bool passes(const StepContext& step, const Positions& x, const Positions& end_of_shell) const;
     void visit_state(StateVisitor& visit) override {
         auto& [shell, threads, obstacles, obstacle_of, colliders, near, start, end, whole] = *this;
@@ -131,11 +146,11 @@ class SheetContact : public Energy {
     }
 
   private:
-    /// The active pairs, as elements.
+    /// The active pairs, as elements whose vertices are numbered as in add_reactions().
     struct Pairs {
         const std::vector<ContactPair>& pairs;
-        const Positions& all;  ///< m, of colliders and sheets
-        Index first;           ///< number of the first vertex of sheets
+        const Positions& all;  ///< [3, S + V] m, positions of colliders and sheets
+        Index first;           ///< number of the first vertex of sheets in surface()
 
         std::size_t size() const { return pairs.size(); }
         std::array<Index, 4> vertices(std::size_t i) const { return numbered_from(pairs[i].vertices, first); }
@@ -151,20 +166,21 @@ class SheetContact : public Energy {
         }
     };
 
-    /// The motions of colliders in the step, followed by that of the shell.
+    /// The displacements of the colliders' vertices in the step, followed by the shell's, `motion`: [3, S +
+    /// V] m.
     Positions with_colliders(const Positions& motion) const;
     Pairs pairs_at(const Positions& all) const;
-    /// The two arrays joined, valid until the next call.
+    /// The positions `collider`, followed by x. The result is valid until the next call.
     const Positions& with(const Positions& collider, const Positions& x) const;
 
     const Shell& shell;
     Threads threads;
     std::vector<Obstacle> obstacles;
-    std::vector<std::size_t> obstacle_of;  ///< number of each collider's obstacle
+    std::vector<std::size_t> obstacle_of;  ///< for each collider, the number of its obstacle
     std::vector<ContactCollider> colliders;
     NearPairs near;
-    Positions start, end;     ///< m, [3, S], vertices of all colliders in their order
-    mutable Positions whole;  ///< buffer, kept to save allocations
+    Positions start, end;     ///< [3, S] m, colliders' vertices at beginning and end of the step
+    mutable Positions whole;  ///< result of with(), kept to save allocations
 };
 
 }  // namespace sherd

@@ -8,11 +8,12 @@ namespace {
 
 using SlipMatrix = Eigen::Matrix<double, 3, 12>;
 
-/// Share of the pair's inertia that is added to it, so that it is regular for elements as thin as a line.
+/// Share of its trace that is added to the diagonal of the inertia of a pair's edges, so that the matrix is
+/// regular also if all edges are parallel.
 constexpr double regularization = 1e-8;
 
-/// The small rotation, rad, of the elements' edges, as a matrix acting on the vertices' displacements: the
-/// least-squares fit, which is exact for a rigid motion.
+/// Returns the matrix that maps displacements of the four vertices to the small rotation vector, rad, of the
+/// elements' edges: the least-squares fit, which is exact for a rigid motion.
 SlipMatrix rotation(PairKind kind, const PairPositions& x) {
     Matrix3d inertia = Matrix3d::Zero();
     SlipMatrix moments = SlipMatrix::Zero();

@@ -10,7 +10,7 @@
 namespace sherd {
 namespace {
 
-/// CHOLMOD with indices of this type.
+/// CHOLMOD's functions for indices of type Integer.
 template <class Integer>
 struct Cholmod;
 template <>
@@ -34,7 +34,7 @@ struct Cholmod<SuiteSparse_long> {
     static constexpr auto free_factor = cholmod_l_free_factor;
 };
 
-/// View of a BlockMatrix for CHOLMOD; only indices of another type are copied.
+/// View of a BlockMatrix for CHOLMOD; indices are copied only if their type is not Index.
 template <class Integer>
 class CholmodMatrix {
   public:
@@ -44,7 +44,7 @@ class CholmodMatrix {
             rows.assign(matrix.rows().begin(), matrix.rows().end());
         }
     }
-    /// matrix: with the pattern of set_pattern().
+    /// matrix: must have the pattern that set_pattern() was given.
     cholmod_sparse view(const BlockMatrix& matrix) const {
         cholmod_sparse sparse{};
         sparse.nrow = sparse.ncol = static_cast<std::size_t>(matrix.size());
@@ -72,7 +72,7 @@ class CholmodMatrix {
 /// Number of operations of a factorization that take as long as one entry of the factor in a solution.
 constexpr double operations_per_entry = 30;
 
-/// The order of the unknowns when vertices are eliminated in this order.
+/// The elimination order of the unknowns if vertices are eliminated in the order `vertices`.
 template <class Integer>
 std::vector<Integer> of_unknowns(const std::vector<Index>& vertices) {
     std::vector<Integer> order;
@@ -88,7 +88,7 @@ class CholmodFactor {
   public:
     using Calls = Cholmod<Integer>;
 
-    /// supernodal: L L^T, of positive definite matrices; else L D L^T.
+    /// supernodal: whether to compute L L^T, for positive definite matrices; if not, L D L^T.
     explicit CholmodFactor(bool supernodal) : session(Calls::wide) {
         session.common.supernodal = supernodal ? CHOLMOD_SUPERNODAL : CHOLMOD_SIMPLICIAL;
     }
@@ -183,7 +183,7 @@ class CholeskySolver : public LinearSolver {
     bool supernodal;
     Indices indices;
     std::vector<Index> of_vertices;  ///< elimination order of the vertices
-    // The factor is one of these:
+    // The factor is in `narrow` or in `wide`.
     std::optional<CholmodFactor<int>> narrow;
     std::optional<CholmodFactor<SuiteSparse_long>> wide;
 };

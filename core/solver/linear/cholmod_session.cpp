@@ -13,8 +13,8 @@ extern "C" void omp_set_max_active_levels(int levels);
 namespace sherd {
 
 CholmodSession::CholmodSession(bool wide) : wide(wide) {
-    // CHOLMOD requests OpenMP teams by number, which slows its supernodal code two to three times on small
-    // machines; allowing no active parallel region is the one setting it cannot override.
+    // CHOLMOD requests a number of OpenMP threads, which slows its supernodal code two to three times on
+    // small machines. The only setting that it cannot override is to allow no active parallel region.
     omp_set_max_active_levels(0);
     openblas_set_num_threads(1);
     (wide ? cholmod_l_start : cholmod_start)(&common);

@@ -10,10 +10,11 @@
 namespace sherd {
 namespace {
 
-constexpr Index smallest_block = 16;  // columns, below which calls of BLAS take longer than they save
-constexpr Index strip = 96;           // rows or columns that a thread takes at a time
+/// Number of columns below which calls of BLAS take longer than they save.
+constexpr Index smallest_block = 16;
+constexpr Index strip = 96;  // number of rows or columns that a thread takes at a time
 
-/// below <- below lower^-T. lower: [columns, columns]; below: [rows, columns].
+/// below <- below * lower^-T. lower: [columns, columns]; below: [rows, columns].
 void solve_right(const float* lower, float* below, Index stride, Index rows, Index columns) {
     cblas_strsm(CblasColMajor, CblasRight, CblasLower, CblasTrans, CblasNonUnit, rows, columns, 1, lower,
                 stride, below, stride);
@@ -22,7 +23,7 @@ void solve_right(const double* lower, double* below, Index stride, Index rows, I
     cblas_dtrsm(CblasColMajor, CblasRight, CblasLower, CblasTrans, CblasNonUnit, rows, columns, 1, lower,
                 stride, below, stride);
 }
-/// Subtracts panel panel^T from the lower triangle of `keep` times target. panel: [rows, columns].
+/// Lower triangle of target <- keep * target - panel * panel^T. panel: [rows, columns].
 void subtract_square(const float* panel, Index stride, Index rows, Index columns, float keep, float* target,
                      Index stride_of_target) {
     cblas_ssyrk(CblasColMajor, CblasLower, CblasNoTrans, rows, columns, -1, panel, stride, keep, target,
@@ -33,7 +34,7 @@ void subtract_square(const double* panel, Index stride, Index rows, Index column
     cblas_dsyrk(CblasColMajor, CblasLower, CblasNoTrans, rows, columns, -1, panel, stride, keep, target,
                 stride_of_target);
 }
-/// Subtracts lower upper^T from `keep` times target [rows, wide]. lower: [rows, columns]; upper: [wide,
+/// target <- keep * target - lower * upper^T. target: [rows, wide]; lower: [rows, columns]; upper: [wide,
 /// columns].
 void subtract_product(const float* lower, const float* upper, Index stride, Index rows, Index wide,
                       Index columns, float keep, float* target, Index stride_of_target) {
@@ -52,7 +53,8 @@ void solve_triangle(CBLAS_TRANSPOSE how, const float* lower, Index stride, Index
 void solve_triangle(CBLAS_TRANSPOSE how, const double* lower, Index stride, Index width, double* x) {
     cblas_dtrsv(CblasColMajor, CblasLower, how, CblasNonUnit, width, lower, stride, x, 1);
 }
-/// target <- keep target + share matrix x, or its transpose. matrix: [rows, columns].
+/// target <- keep * target + share * matrix * x, or with the transpose of the matrix, as `how` says. matrix:
+/// [rows, columns].
 void multiply(CBLAS_TRANSPOSE how, float share, const float* matrix, Index stride, Index rows, Index columns,
               const float* x, float keep, float* target) {
     cblas_sgemv(CblasColMajor, how, rows, columns, share, matrix, stride, x, 1, keep, target, 1);
@@ -65,7 +67,7 @@ void multiply(CBLAS_TRANSPOSE how, double share, const double* matrix, Index str
 template <class Real>
 using Column = Eigen::Map<Eigen::Matrix<Real, Eigen::Dynamic, 1>>;
 
-/// solve_right(), strip by strip of rows.
+/// Calls solve_right() for strips of rows, which threads share.
 template <class Real>
 void solve_strips(const Real* lower, Real* below, Index stride, Index rows, Index columns,
                   const Threads& threads) {
@@ -74,7 +76,7 @@ void solve_strips(const Real* lower, Real* below, Index stride, Index rows, Inde
     });
 }
 
-/// subtract_square(), strip by strip of columns.
+/// Does the work of subtract_square() in strips of columns, which threads share.
 template <class Real>
 void subtract_strips(const Real* panel, Index stride, Index rows, Index columns, Real keep, Real* target,
                      Index stride_of_target, const Threads& threads) {
@@ -88,7 +90,8 @@ void subtract_strips(const Real* panel, Index stride, Index rows, Index columns,
     });
 }
 
-/// Eliminates the columns of [width, width] in place, one after the other. Returns their number.
+/// Cholesky factorization of `square`, [width, width], in place, column by column. Returns the number of
+/// eliminated columns, see eliminate_columns().
 template <class Real>
 Index eliminate_one_by_one(Real* square, Index stride, Index width) {
     for (Index j = 0; j < width; ++j) {
@@ -102,7 +105,8 @@ Index eliminate_one_by_one(Real* square, Index stride, Index width) {
     return width;
 }
 
-/// Eliminates the columns of [width, width] in place, by halves. Returns their number.
+/// Cholesky factorization of `square`, [width, width], in place, half by half. Returns the number of
+/// eliminated columns, see eliminate_columns().
 template <class Real>
 Index eliminate_square(Real* square, Index stride, Index width, const Threads& threads) {
     if (width <= smallest_block) return eliminate_one_by_one(square, stride, width);

@@ -25,12 +25,12 @@ struct LinearSolver {
     void analyze(const BlockMatrix& matrix) { analyze(matrix, {}); }
     /// The elimination order of the last analysis, [V].
     virtual std::vector<Index> order() const = 0;
-    /// Factors a matrix of the analyzed pattern. Returns false if it is singular, or not positive definite
-    /// and the solver needs that.
+    /// Factors a matrix of the analyzed pattern. Returns false if the matrix is singular, or if the solver
+    /// requires a positive definite matrix and this matrix is not.
     virtual bool factorize(const BlockMatrix& matrix) = 0;
     /// Solves with the last factor. right_side: [size].
     virtual VectorXd solve(const VectorXd& right_side) = 0;
-    /// Cost by the analyzed pattern, which does not depend on measured times.
+    /// Cost estimated from the analyzed pattern, without measured times.
     virtual FactorCost cost() const = 0;
 };
 
@@ -40,12 +40,12 @@ enum class Indices {
     wide        ///< 64 bits
 };
 
-/// A solver with CHOLMOD's supernodal Cholesky factorization, in one thread: a second one did not help at
-/// these sizes. Matrices must be positive definite.
+/// A solver with CHOLMOD's supernodal Cholesky factorization, in one thread: a second thread did not help at
+/// the usual sizes. Matrices must be positive definite.
 std::unique_ptr<LinearSolver> cholesky_solver(Indices indices = Indices::as_needed);
 
-/// A solver in single precision, with half the memory and time, or in double precision where a matrix is too
-/// badly scaled for that. Matrices must be positive definite.
+/// A solver in single precision, with half the memory and time of double precision, to which it changes for a
+/// matrix that is too badly scaled. Matrices must be positive definite.
 std::unique_ptr<LinearSolver> single_precision_solver(Threads threads = Threads());
 
 /// A solver with CHOLMOD's simplicial L D L^T factorization, also of indefinite matrices. It does not pivot,

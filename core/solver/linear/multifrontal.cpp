@@ -14,14 +14,15 @@
 namespace sherd {
 namespace {
 
-/// Entries of a factor below which threads cost more time than they save.
+/// Number of entries of a factor below which threads cost more time than they save.
 constexpr double least_entries = 2e5;
 
-/// Largest share of all operations that a subtree in a part may have. With a smaller one, more operations
-/// would be above the parts, where only strips of dense matrices are shared.
+/// Largest share of all operations that a subtree in a part may have. With a smaller share, more operations
+/// would be above the parts, where threads share only strips of dense matrices.
 constexpr double largest_part = 1.0 / 6;
 
-/// Operations of each supernode's subtree, as in Supernodes::operations(), but of blocks.
+/// Number of operations of each supernode's subtree, counted as in Supernodes::operations(), but in
+/// operations on blocks, which count 27 there.
 std::vector<double> subtree_operations(const Supernodes& pattern) {
     std::vector<double> all(pattern.size());
     for (Index node = 0; node < pattern.size(); ++node) {
@@ -31,7 +32,7 @@ std::vector<double> subtree_operations(const Supernodes& pattern) {
     return all;
 }
 
-/// Operations that the largest subtree in a part may have.
+/// Number of operations on blocks that the largest subtree in a part may have.
 double most_in_a_subtree(const Supernodes& pattern) {
     if (pattern.factor_entries() < least_entries) return std::numeric_limits<double>::infinity();
     return largest_part * pattern.operations() / 27;
@@ -41,7 +42,8 @@ EliminationPart part_of(const Supernodes& pattern, Index begin, Index end) {
     EliminationPart part{begin, end, pattern.first[begin], pattern.first[end] - pattern.first[begin], {}};
     for (Index node = begin; node < end; ++node) {
         if (pattern.parent[node] < end && pattern.parent[node] >= 0) continue;
-        // A root in the part: its rows include all rows of its subtree outside of the part.
+        // The supernode is the root of a subtree in the part, and its rows include all rows of this subtree
+        // outside of the part.
         const std::span<const Index> rows = pattern.rows_below(node);
         part.outside.insert(part.outside.end(), rows.begin(), rows.end());
     }
@@ -83,7 +85,8 @@ EliminationParts::EliminationParts(const Supernodes& pattern)
         begin = end;
         in_part = 0;
     };
-    // Subtrees come one after the other, and the supernodes above them come last.
+    // Children are numbered before their parents, so that each subtree is a consecutive range. A supernode
+    // above comes after its own subtrees, possibly between others, and ends the part before it.
     for (Index node = 0; node < pattern.size(); ++node) {
         const Index parent = pattern.parent[node];
         if (is_above[node] != 0) {
@@ -244,7 +247,8 @@ bool MultifrontalFactor<Real>::factorize(const BlockMatrix& matrix) {
     return pivot == 1;
 }
 
-/// Forward substitution y <- L^-1 y in the columns of a supernode and for the rows below. below: a buffer.
+/// Forward substitution y <- L^-1 * y in the columns of a supernode, with its effect on the rows below.
+/// below: a buffer.
 template <class Real>
 void MultifrontalFactor<Real>::solve_forward(Index node, Vector& y, Vector& below) const {
     const Index rows = height(node), columns = width(node), rest = rows - columns;
@@ -254,7 +258,7 @@ void MultifrontalFactor<Real>::solve_forward(Index node, Vector& y, Vector& belo
         y.template segment<3>(3 * at[columns / 3 + a]) -= below.template segment<3>(3 * a);
 }
 
-/// Back substitution y <- L^-T y in the columns of a supernode, from the rows below.
+/// Back substitution y <- L^-T * y in the columns of a supernode, from the rows below. below: a buffer.
 template <class Real>
 void MultifrontalFactor<Real>::solve_backward(Index node, Vector& y, Vector& below) const {
     const Index rows = height(node), columns = width(node), rest = rows - columns;

@@ -9,44 +9,47 @@
 
 namespace sherd {
 
-/// Consecutive supernodes, of whole subtrees, which can be eliminated in parallel with other parts.
+/// Consecutive supernodes that form whole subtrees, so that they can be eliminated in parallel with other
+/// parts.
 struct EliminationPart {
-    Index first = 0, end = 0;             ///< supernodes
-    Index first_column = 0, columns = 0;  ///< consecutive columns of these supernodes
-    std::vector<Index> outside;           ///< rows of these supernodes after these columns, ascending
+    Index first = 0, end = 0;             ///< first supernode, and one past the last
+    Index first_column = 0, columns = 0;  ///< first column of these supernodes, and their number of columns
+    std::vector<Index> outside;  ///< rows of these supernodes after all columns of the part, ascending
 };
 
-/// Division of a factor's supernodes among threads: parts in parallel, then the supernodes above, one by one.
+/// Division of a factor's supernodes among threads: the parts are eliminated in parallel, then the supernodes
+/// above them one by one.
 struct EliminationParts {
     explicit EliminationParts(const Supernodes& pattern);
 
     std::vector<EliminationPart> parts;
-    std::vector<Index> above;    ///< supernodes, ascending
-    std::vector<char> is_above;  ///< [S]
-    /// For each entry of Supernodes::row its index in a vector with the columns of its part and then the rows
-    /// outside; for supernodes above, in a vector of all rows.
+    std::vector<Index> above;    ///< supernodes above the parts, ascending
+    std::vector<char> is_above;  ///< [S] whether each supernode is above the parts
+    /// For each entry of Supernodes::row, the index of this row in the vector with which its supernode is
+    /// solved: for a supernode in a part, a vector of the part's columns and then its rows outside; for a
+    /// supernode above, a vector of all rows.
     std::vector<Index> place;
 };
 
 /// Cholesky factor of a positive definite BlockMatrix in numbers of type Real, by the multifrontal method
 /// (Duff, Reid 1983; Liu 1992, "The multifrontal method for sparse matrix solution"). float takes half the
-/// memory and half the time of double, and is as good where solutions are corrected afterwards. It has the
-/// same bits with any number of threads.
+/// memory and half the time of double, and is as good where solutions are corrected afterwards. The factor
+/// has the same bits with any number of threads.
 template <class Real>
 class MultifrontalFactor {
   public:
     explicit MultifrontalFactor(std::shared_ptr<const Supernodes> pattern, Threads threads = Threads());
     /// Returns false if the matrix is not positive definite, or too badly scaled to decide.
     bool factorize(const BlockMatrix& matrix);
-    /// The pivot that was not positive, over the diagonal entry of the matrix there, after factorize() has
-    /// returned false.
+    /// After factorize() has returned false: the pivot that was not positive, over the size of the matrix's
+    /// diagonal entry in its column; 0 if the pivot is infinite or not a number.
     double failed_pivot() const { return pivot; }
-    VectorXd solve(const VectorXd& right_side) const;  ///< [3 V]
+    VectorXd solve(const VectorXd& right_side) const;  ///< right side, solution: [3 V]
 
   private:
     using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
-    /// Update matrices of supernodes for the rows below them, [3 rows, 3 rows] each, of which the lower
-    /// triangle is used.
+    /// Stack of the update matrices of supernodes: a supernode's contribution to the rows below it, [3 rows,
+    /// 3 rows], of which only the lower triangle is used.
     struct Stack {
         std::vector<Real> values;
         std::size_t top = 0;
@@ -61,17 +64,18 @@ class MultifrontalFactor {
     const Index* places(Index node) const { return shares.place.data() + pattern->start[node]; }
 
     void find_children();
-    /// Largest size of the stack of supernodes that are eliminated together.
+    /// Largest number of values on the stack of `nodes`, which are eliminated in this order.
     std::size_t stack_size(const std::vector<Index>& nodes) const;
-    /// Size of the update matrices of a supernode's children on its stack.
+    /// Number of values of the update matrices of those children of a supernode that are on its stack.
     std::size_t size_of_children(Index node) const;
     void scatter(const BlockMatrix& matrix);
     void scatter_column(const BlockMatrix& matrix, Index vertex);
-    /// Columns of a supernode's rows: its own, or those of the rows below.
+    /// Columns of a supernode's frontal matrix: its own, or the columns of the rows below.
     enum class Columns { own, below };
-    /// Adds a child's update matrix to those columns of its parent.
+    /// Adds the part of a child's update matrix in `columns` of its parent `node` to `target`, these columns.
     void extend(Index child, Index node, Columns columns, Real* target) const;
-    /// Eliminates the columns of a supernode. Returns 1, or the value of failed_pivot().
+    /// Eliminates the columns of a supernode. Returns 1 if all pivots are positive, else the value of
+    /// failed_pivot().
     double eliminate(Index node, Stack& stack, const Threads& team);
 
     void solve_forward(Index node, Vector& y, Vector& below) const;
@@ -82,8 +86,8 @@ class MultifrontalFactor {
     EliminationParts shares;
     std::vector<std::size_t> start;            ///< [S + 1] start of each supernode's part of `values`
     std::vector<Real> values;                  ///< [height, width] of each supernode, column by column
-    std::vector<std::vector<Index>> children;  ///< [S]
-    std::vector<Index> in_parent;       ///< index in the parent's rows of each entry of Supernodes::row
+    std::vector<std::vector<Index>> children;  ///< [S] children of each supernode
+    std::vector<Index> in_parent;       ///< for each entry of Supernodes::row, its index in the parent's rows
     std::vector<Stack> stacks;          ///< buffers: one for each part, and one for the supernodes above
     std::vector<const Real*> update;    ///< [S] update matrix of each supernode, in `stacks`
     std::vector<Real> diagonal_before;  ///< [3 V] diagonal of the matrix, in the order of elimination

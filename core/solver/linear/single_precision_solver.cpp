@@ -34,7 +34,8 @@ class SinglePrecisionSolver : public LinearSolver {
     }
 
   private:
-    /// Operations of a factorization that take as long as an entry in a solution (measured: 54 to 67).
+    /// Number of operations of a factorization that take as long as one entry of the factor in a solution
+    /// (measured: 54 to 67).
     static constexpr double operations_per_entry = 60;
 
     /// A pivot below this share of its diagonal entry is negative in double precision, too.

@@ -11,10 +11,10 @@
 namespace sherd {
 namespace {
 
-/// Below this number of vertices minimum degree orders as well as nested dissection, and faster.
+/// Number of vertices below which minimum degree orders as well as nested dissection, and faster.
 constexpr Index vertices_for_nested_dissection = 1000;
 
-/// The graph of a matrix's block rows, as CHOLMOD reads it: without the diagonal, and without a copy.
+/// View of the graph of a matrix's blocks for CHOLMOD, without the diagonal; nothing is copied.
 cholmod_sparse graph(const BlockMatrix& matrix) {
     cholmod_sparse sparse{};
     sparse.nrow = sparse.ncol = static_cast<std::size_t>(matrix.size() / 3);
@@ -29,14 +29,14 @@ cholmod_sparse graph(const BlockMatrix& matrix) {
     return sparse;
 }
 
-/// The pattern of the factor by CHOLMOD.
+/// CHOLMOD's analysis of the pattern of a factor.
 class Analysis {
   public:
     explicit Analysis(const BlockMatrix& matrix, const std::vector<Index>& order = {}) {
         session.common.supernodal = CHOLMOD_SUPERNODAL;
         session.common.method[0].ordering =
             matrix.size() / 3 < vertices_for_nested_dissection ? CHOLMOD_AMD : CHOLMOD_METIS;
-        // A supernode's columns are of three unknowns each.
+        // CHOLMOD's limits count unknowns; here each column stands for three unknowns.
         for (std::size_t& columns : session.common.nrelax) columns = (columns + 2) / 3;
         cholmod_sparse sparse = graph(matrix);
         if (!order.empty()) session.common.method[0].ordering = CHOLMOD_GIVEN;

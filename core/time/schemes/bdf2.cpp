@@ -16,7 +16,9 @@ Vector3d rotation_vector(const Matrix3d& rotation) {
 
 StepContext Bdf2::begin(const Shell& shell, const std::vector<RigidBody>& bodies, double time,
                         double length) {
-    // v = ((1 + 2r) x - (1 + r)^2 x_0 + r^2 x_-1) / ((1 + r) h), with the lengths' ratio r.
+    // v = ((1 + 2r) x - (1 + r)^2 x_0 + r^2 x_-1) / ((1 + r) h), where x_0 and x_-1 are the positions at the
+    // beginning of this step and of the previous one, h is the length of this step, and r is its ratio to the
+    // previous length.
     const double ratio = previous.length > 0 ? length / previous.length : 0;
     weights = {ratio * ratio / (1 + 2 * ratio), (1 + ratio) / (1 + 2 * ratio)};
     at_begin = {length, shell.position, shell.velocity, {}};
@@ -49,7 +51,7 @@ BodyOrigin Bdf2::origin_of(const RigidBody& body, std::size_t number, double len
         velocity += weights.before_last * (body.velocity - then.velocity);
         origin.angular_momentum += weights.before_last * (body.angular_momentum - then.angular_momentum);
     }
-    // Spin at the step's end: the spin at its beginning would be of first order only.
+    // The spin is taken at the step's end: with the spin at its beginning the scheme would be of first order.
     RigidBody ahead = body;
     ahead.rotation = turned(length * body.spin()) * body.rotation;
     ahead.angular_momentum = origin.angular_momentum;

@@ -7,7 +7,7 @@ namespace sherd {
 
 /// The backward differentiation formula of second order, with steps of any length (Hairer, Norsett, Wanner,
 /// Solving Ordinary Differential Equations I, section III.5). Its first step is implicit Euler's. It damps
-/// vibrations with periods of a few steps, and slow ones hardly.
+/// vibrations with periods of a few steps, and slower vibrations hardly.
 class Bdf2 : public TimeScheme {
   public:
     StepContext begin(const Shell& shell, const std::vector<RigidBody>& bodies, double time,
@@ -26,7 +26,7 @@ class Bdf2 : public TimeScheme {
     };
     /// State at the beginning of a step, in SI units.
     struct Beginning {
-        double length = 0;  ///< s, of the step; 0: no step yet
+        double length = 0;  ///< s, length of the step; 0: no step yet
         Positions position, velocity;
         std::vector<BodyState> bodies;
 
@@ -35,7 +35,8 @@ class Bdf2 : public TimeScheme {
             visit(length, position, velocity, bodies);
         }
     };
-    /// An origin is now + before_last (now - previous); the lag is a share of the step's length.
+    /// An origin of StepContext is now + before_last * (now - previous), with the values at the beginning of
+    /// the open step and of the previous one. lag: the lag of StepContext over the step's length.
     struct Weights {
         double before_last = 0, lag = 1;
     };

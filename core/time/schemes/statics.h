@@ -5,7 +5,7 @@
 
 namespace sherd {
 
-/// Statics: a step's time is a load factor, nothing has inertia, and every step ends at rest. Friction acts
+/// Statics: the time is the load factor, nothing has inertia, and every step ends at rest. Friction acts
 /// against the displacement in a step, as if the step's length were its duration.
 struct Statics : TimeScheme {
     StepContext begin(const Shell& shell, const std::vector<RigidBody>& bodies, double time,

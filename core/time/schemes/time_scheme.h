@@ -17,7 +17,7 @@ struct TimeScheme {
                               double length) = 0;
     /// Applies a change of the shell to the scheme's history and to the origins of the open step.
     virtual void topology_changed(const Shell& shell, const ShellChange& change, StepContext& step) = 0;
-    /// Ends the step at the positions x [3, V] m: gives them and the velocities there to the shell.
+    /// Ends the step: sets the shell's positions to x, [3, V] m, and its velocities to the velocities at x.
     virtual void finish(const StepContext& step, const Positions& x, Shell& shell) = 0;
     virtual void visit_state(StateVisitor& /*visit*/) {}
 };

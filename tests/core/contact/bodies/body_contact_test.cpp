@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A ball that hits a sheet must lose the momentum that the sheet gains, in one and the same contact.
+// Free bodies must exchange momentum with sheets and with each other, pass through none of them, and come to
+// rest on sheets and obstacles.
 #include "core/contact/bodies/body_contact.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +39,8 @@ Vector3d spin_momentum(const Shell& shell, const RigidBody& body) {
     return angular_momentum(shell) + body.mass * body.centre.cross(body.velocity) + body.angular_momentum;
 }
 
-// The unknowns near the positions of the shell and the places of the bodies.
+// Returns the unknowns for the shell at x and the bodies where they are placed, each changed at random by up
+// to `distance` (m).
 Positions near_to(const BodyContact& contact, const Positions& x, double distance) {
     Random random(2);
     Positions all = contact.with_bodies(x);
@@ -62,7 +64,7 @@ TEST(BodyContact, ForceAndStiffnessAreDerivativesOfTheValue) {
         contact.begin(test::step_of(shell, 0, 1e-3, {body}));
         contact.predict(shell.position);
         ASSERT_GT(contact.stored_energy(shell.position), 0);
-        // The Hessian is a Gauss-Newton one.
+        // The tolerance is large because the Hessian is a Gauss-Newton approximation.
         expect_derivatives(contact, near_to(contact, shell.position, 1e-5), 1e-9, 5e-2);
         BodyInertia inertia(&contact);
         inertia.begin(test::step_of(shell, 0, 1e-3, {body}));
@@ -70,7 +72,8 @@ TEST(BodyContact, ForceAndStiffnessAreDerivativesOfTheValue) {
     }
 }
 
-// Bodies that are smaller than a face, or move far in a step, would pass between the vertices.
+// A body that is smaller than a face of the sheet and moves far in a step must not pass through the sheet
+// between its vertices.
 TEST(BodyContact, NoBodyPassesThroughAFace) {
     for (const bool is_ball : {false, true}) {
         Shell shell = stacked_plates(1, 2, 0, elastic());
@@ -103,9 +106,9 @@ TEST(BodyContact, NoBodyPassesThroughAFace) {
     }
 }
 
-// A small body that meets a sheet far faster than its size in a step must not pass it: around its rim, by a
-// failed search, or through a face. A step that cannot be solved is halved, as in a run, which ends with an
-// error if that does not help.
+// A small body that moves in a step much farther than its size must not get beyond a sheet: neither around
+// the sheet's rim, nor by a failed collision search, nor through a face. A step that cannot be solved is
+// halved, as in a run; the loop ends when steps become too short, where a run would end with an error.
 TEST(BodyContact, NoBodyIsBeyondASheetHoweverFast) {
     struct Shot {
         double speed;  // m/s
@@ -134,7 +137,8 @@ TEST(BodyContact, NoBodyIsBeyondASheetHoweverFast) {
             time_step.finish();
             const RigidBody& now = time_step.bodies()[0];
             ASSERT_NEAR(momentum(shell, now).z(), before, 1e-6 * std::abs(before));
-            // The plate, which does not fracture, goes down where it is pushed, and the ball with it.
+            // The plate does not fracture: where the ball pushes it, it goes down with the ball. So the
+            // ball's height is compared with the plate's lowest vertex.
             const double below = shell.position.row(2).minCoeff();
             ASSERT_GT(now.centre.z(), below) << speed << " m/s, step " << steps;
             if (touched && now.velocity.z() > -0.5 * speed) break;
@@ -151,7 +155,8 @@ void step(ImplicitStepper& time_step, int count) {
     }
 }
 
-// With friction, whose forces act at two points a gap apart in a step, torques are opposite to 1e-5.
+// Without friction, the collision keeps angular momentum to 1e-8; with friction, to 1e-5 only, because the
+// friction forces on the ball and on the sheet act at two points a small distance apart.
 class Collision : public testing::TestWithParam<double> {};
 INSTANTIATE_TEST_SUITE_P(BodyContact, Collision, testing::Values(0.0, 0.3));
 
@@ -169,7 +174,9 @@ TEST_P(Collision, KeepsMomentum) {
     const Vector3d turning = spin_momentum(shell, options.contact.bodies[0]);
     ImplicitStepper time_step(shell, options);
     std::size_t touched = 0;
-    Vector3d lost = Vector3d::Zero();  // lost to implicit Euler, as in free flight: h m v' x v of everything
+    // Angular momentum lost to implicit Euler, as in free flight: the sum of h m v' x v over vertices and
+    // body, with the velocities v before and v' after a step of length h.
+    Vector3d lost = Vector3d::Zero();
     for (int i = 0; i < 60; ++i) {
         const Positions velocity = shell.velocity;
         const RigidBody start = time_step.bodies()[0];
@@ -191,7 +198,8 @@ TEST_P(Collision, KeepsMomentum) {
     EXPECT_LT(lost.norm(), 0.02 * turning.norm());
 }
 
-// A body that turns about a non-principal axis changes its axis, but must keep its angular momentum.
+// When a free body turns about an axis that is not a principal axis, the axis changes, but the angular
+// momentum must not.
 TEST(BodyContact, AFreeBodyFallsAndKeepsItsAngularMomentum) {
     Shell shell = lone_vertex(Vector3d(5, 5, 5));
     StepperOptions options;
@@ -207,7 +215,7 @@ TEST(BodyContact, AFreeBodyFallsAndKeepsItsAngularMomentum) {
     EXPECT_GT((moved.spin() - box.spin()).norm(), 0.1 * box.spin().norm()) << "it tumbles";
 }
 
-// A ball that is dropped on a floor and on a fixed sphere must rest on it.
+// A ball and a box that are dropped on a floor must come to rest on it.
 TEST(BodyContact, BodiesRestOnObstacles) {
     Shell shell = lone_vertex(Vector3d(5, 5, 5));
     StepperOptions options;
@@ -224,8 +232,8 @@ TEST(BodyContact, BodiesRestOnObstacles) {
     }
 }
 
-// A box that is given as any solid, by its volume, its inertia and its vertices, must fall, hit a floor with
-// an edge, and come to rest as `box` does.
+// A box made by rigid_solid() from its volume, its inertia and its vertices must fall tilted, hit a floor,
+// and come to rest in the same pose as the box made by rigid_box().
 TEST(BodyContact, ASolidOfABoxFallsLikeABox) {
     const Vector3d size(0.04, 0.03, 0.02);
     const auto fallen = [&](RigidBody body) {
@@ -251,13 +259,13 @@ TEST(BodyContact, ASolidOfABoxFallsLikeABox) {
     EXPECT_LT((other.rotation - one.rotation).norm(), 1e-9);
 }
 
-// A ball laid on a soft sheet that is held at its rim must sink in and be carried.
+// A soft sheet is held at its rim. A ball laid on it must press it down and then be carried by it.
 TEST(BodyContact, ASheetCarriesABody) {
     Shell shell = stacked_plates(1, 8, 0, elastic());
     for (Index v = 0; v < static_cast<Index>(shell.rest.cols()); ++v)
         shell.fixed[v] = shell.rest.col(v).cwiseAbs().maxCoeff() > 0.0499;
     StepperOptions options;
-    options.step = 5e-3;  // long steps damp
+    options.step = 5e-3;  // long steps of implicit Euler damp the motion
     options.contact.bodies = {ball(Vector3d(0, 0, 0.0212), Vector3d::Zero())};
     ImplicitStepper time_step(shell, options);
     step(time_step, 200);
@@ -267,7 +275,8 @@ TEST(BodyContact, ASheetCarriesABody) {
     EXPECT_GT(body.centre.z(), 0.01);
 }
 
-// Two balls side by side, each on a vertex, act on each other and on the sheet.
+// Two balls touch each other, and each touches a vertex of the sheet: the Hessian must couple the columns of
+// the two balls.
 TEST(BodyContact, BodiesThatTouchAreCoupled) {
     Shell shell = stacked_plates(1, 8, 0, elastic());
     shell.velocity.setZero();
@@ -291,8 +300,8 @@ TEST(BodyContact, BodiesThatTouchAreCoupled) {
     expect_derivatives(contact, x, 1e-9, 1e-2);
 }
 
-// Balls and boxes that collide in the air must keep linear and angular momentum, and must not end in each
-// other.
+// Two balls and a box that collide in the air must keep their total linear and angular momentum, and the
+// balls must not overlap afterwards.
 TEST(BodyContact, BodiesCollide) {
     Shell shell = lone_vertex(Vector3d(5, 5, 5));
     shell.velocity.setZero();
@@ -316,7 +325,7 @@ TEST(BodyContact, BodiesCollide) {
     };
     const auto before = total(options.contact.bodies);
     ImplicitStepper time_step(shell, options);
-    Vector3d lost = Vector3d::Zero();  // lost to implicit Euler
+    Vector3d lost = Vector3d::Zero();  // angular momentum lost to implicit Euler
     for (int i = 0; i < 1000; ++i) {
         const std::vector<RigidBody> start = time_step.bodies();
         step(time_step, 1);
@@ -333,7 +342,7 @@ TEST(BodyContact, BodiesCollide) {
     EXPECT_GT((bodies[0].centre - bodies[1].centre).norm(), 0.0399);
 }
 
-// On a slope with friction a ball rolls, at 5/7 of its acceleration without friction.
+// A ball on a slope with friction rolls; its acceleration is 5/7 of the acceleration without friction.
 TEST(BodyContact, ABallRollsDownASlope) {
     const double slope = 0.3, seconds = 0.3, gravity = 9.81;
     Shell shell = lone_vertex(Vector3d(5, 5, 5));
@@ -355,7 +364,7 @@ TEST(BodyContact, ABallRollsDownASlope) {
     }
 }
 
-// Coulomb: a box that slides stops after v^2 / (2 mu g).
+// With Coulomb friction, a box that slides at the speed v must stop after the distance v^2 / (2 mu g).
 TEST(BodyContact, FrictionStopsABox) {
     Shell shell = lone_vertex(Vector3d(5, 5, 5));
     StepperOptions options;
@@ -374,7 +383,7 @@ TEST(BodyContact, FrictionStopsABox) {
     EXPECT_LT(moved.velocity.norm(), 2e-3);
 }
 
-// A box on a slope that friction can hold does not creep.
+// A box on a slope that is flat enough for friction to hold it must not creep.
 TEST(BodyContact, FrictionHoldsABoxOnASlope) {
     const Eigen::AngleAxisd tilt(10 * std::numbers::pi / 180, Vector3d::UnitY());
     Shell shell = lone_vertex(Vector3d(5, 5, 5));

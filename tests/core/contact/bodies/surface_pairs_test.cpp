@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Edges of bodies must meet edges, with forces that keep momentum and do not increase the energy, and nothing
-// may pass through anything at high speed.
+// Edges of bodies must collide with edges, by forces that keep momentum and do not increase the energy. Fast
+// bodies must not pass through each other or through obstacles.
 #include "core/contact/bodies/surface_pairs.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,8 @@ RigidBody fast_ball(const Vector3d& centre, const Vector3d& velocity) {
     return ball;
 }
 
-/// Advances for `duration` s by steps that are halved where they fail; returns false if that does not help.
+/// Advances for `duration` s in steps of `step` s. A step that fails is halved; returns false if it becomes
+/// too short.
 bool run(ImplicitStepper& time_step, double step, double duration) {
     double length = step;
     for (double time = 0; time < duration * (1 - 1e-9);) {
@@ -38,8 +39,8 @@ bool run(ImplicitStepper& time_step, double step, double duration) {
     return true;
 }
 
-// Two edges of a box across two edges of obstacles, far from any corner: with contact at corners alone it
-// falls through.
+// A box lies across the top edges of two roofs, far from any corner: with contact at corners alone, the box
+// would fall through.
 TEST(SurfacePairs, EdgesOnEdgesCarryABox) {
     Shell shell = lone_vertex(Vector3d(5, 5, 5));
     StepperOptions options;
@@ -55,7 +56,7 @@ TEST(SurfacePairs, EdgesOnEdgesCarryABox) {
     EXPECT_EQ(time_step.touch().obstacles.size(), 2u);
 }
 
-// Edges of free boxes on each other: a cross of two logs on a floor.
+// Two long free boxes lie across each other on a floor; the upper box touches the lower one with edges only.
 TEST(SurfacePairs, CrossedBoxesRest) {
     Shell shell = lone_vertex(Vector3d(5, 5, 5));
     StepperOptions options;
@@ -70,7 +71,7 @@ TEST(SurfacePairs, CrossedBoxesRest) {
     for (const RigidBody& body : time_step.bodies()) EXPECT_LT(body.velocity.norm(), 1e-3);
 }
 
-// Fast balls must pass neither each other nor a thin wall, and must keep momentum.
+// Two fast balls that meet head-on must not pass through each other, and must keep momentum.
 TEST(SurfacePairs, FastBallsDoNotPassEachOther) {
     Shell shell = lone_vertex(Vector3d(5, 5, 5));
     shell.velocity.setZero();
@@ -100,8 +101,8 @@ TEST(SurfacePairs, AFastBallDoesNotPassAThinWall) {
     EXPECT_LT(time_step.bodies()[0].centre.x(), 0);
 }
 
-// A small box meets the edge of a long one, with no corner of either nearby: at its place and speed it would
-// be beyond the other in a hundredth of a step.
+// An edge of a small box hits an edge of a long box, with no corner of the long box nearby. Without contact,
+// the small box would move by 0.1 m in the step, and be beyond the long box, which is 0.014 m wide.
 TEST(SurfacePairs, AFastBoxDoesNotPassAnEdge) {
     Shell shell = lone_vertex(Vector3d(5, 5, 5));
     StepperOptions options;
@@ -123,7 +124,8 @@ TEST(SurfacePairs, AFastBoxDoesNotPassAnEdge) {
     EXPECT_GT(std::max(std::abs(beside.x()), std::abs(beside.y())), 0.005) << "it is not inside";
 }
 
-// A log on a soft plate, and one across it that comes down: the force on the plate passes through two edges.
+// A long box lies with an edge on a soft plate, and a second one moves down onto it, edge on edge: the second
+// box presses on the plate through the first.
 TEST(SurfacePairs, ForceAndStiffnessAreDerivativesOfTheValue) {
     Material soft;
     soft.density = 1000, soft.thickness = 0.002, soft.young = 1e7;
@@ -131,7 +133,8 @@ TEST(SurfacePairs, ForceAndStiffnessAreDerivativesOfTheValue) {
     shell.velocity.setZero();
     const double size = 0.01, half = size / std::sqrt(2.0);
     RigidBody lower = solid_body(Vector3d(0.06, size, size), Vector3d(0, 0, 0.00047 + half));
-    const Eigen::AngleAxisd askew(0.3, Vector3d::UnitZ());  // against edges of the plate
+    // Both boxes must not be parallel to edges of the plate's mesh.
+    const Eigen::AngleAxisd askew(0.3, Vector3d::UnitZ());
     lower.rotation = askew * turn_about(Vector3d::UnitX());
     RigidBody upper = solid_body(Vector3d(size, 0.06, size), lower.centre + Vector3d(2e-3, 1e-3, 2 * half));
     upper.rotation = askew * turn_about(Vector3d::UnitY());
@@ -150,7 +153,8 @@ TEST(SurfacePairs, ForceAndStiffnessAreDerivativesOfTheValue) {
             contact.place(columns);
         };
         press();
-        contact.finish(shell.position);  // contact begins; friction acts from the next step on
+        // The boxes touch at the end of this step; friction acts from the next step on.
+        contact.finish(shell.position);
         contact.begin(test::step_of(shell, 1e-3, 1e-3, contact.bodies()));
         press();
         Touch touch;
@@ -160,7 +164,8 @@ TEST(SurfacePairs, ForceAndStiffnessAreDerivativesOfTheValue) {
         Random random(2);
         Positions x = contact.with_bodies(shell.position);
         for (double& entry : x.reshaped()) entry += 1e-6 * random.uniform(-1, 1);
-        expect_derivatives(contact, x, 1e-9, 5e-2);  // the Hessian is a Gauss-Newton one
+        // The tolerance is large because the Hessian is a Gauss-Newton approximation.
+        expect_derivatives(contact, x, 1e-9, 5e-2);
         Positions gradient = Positions::Zero(3, x.cols());
         contact.add_gradient(x, gradient);
         for (int i = 0; i < 10; ++i) {
@@ -182,7 +187,8 @@ INSTANTIATE_TEST_SUITE_P(SurfacePairs, MeetingEdges,
                                          Meeting{Scheme::implicit_euler, 0.3}, Meeting{Scheme::bdf2, 0},
                                          Meeting{Scheme::bdf2, 0.3}));
 
-// Two boxes that meet in flight, edge to edge, must exchange momentum, and their energy must not grow.
+// Two boxes that collide in flight, edge on edge, must keep their total momentum, and their energy must not
+// grow.
 TEST_P(MeetingEdges, KeepsMomentumAndMakesNoEnergy) {
     Shell shell = lone_vertex(Vector3d(5, 5, 5));
     shell.velocity.setZero();
@@ -201,7 +207,8 @@ TEST_P(MeetingEdges, KeepsMomentumAndMakesNoEnergy) {
     const Vector6d before = momenta(options.contact.bodies);
     const double energy = kinetic(options.contact.bodies);
     ImplicitStepper time_step(shell, options);
-    Vector3d lost = Vector3d::Zero();  // lost to implicit Euler; an upper bound for BDF2
+    // Angular momentum lost to implicit Euler; for BDF2 an upper bound on the loss.
+    Vector3d lost = Vector3d::Zero();
     for (int i = 0; i < 500; ++i) {
         const std::vector<RigidBody> start = time_step.bodies();
         advance(time_step);
@@ -219,8 +226,8 @@ TEST_P(MeetingEdges, KeepsMomentumAndMakesNoEnergy) {
     EXPECT_EQ(time_step.balance().lost_to_friction > 0, GetParam().friction > 0);
 }
 
-// A box that falls with an edge on an edge, beside its middle, tips over and falls off. Energy may only
-// decrease.
+// A box falls with an edge on the top edge of a roof, which it hits away from its middle. It must tip over
+// and fall off, and its energy must only decrease.
 TEST(SurfacePairs, ABoxRollsOffAnEdge) {
     for (const double friction : {0.0, 0.4}) {
         Shell shell = lone_vertex(Vector3d(5, 5, 5));
@@ -252,13 +259,15 @@ TEST(SurfacePairs, ABoxRollsOffAnEdge) {
     }
 }
 
-// Boxes whose edges cross at the start, without a corner in the other one, or overlap, must move freely until
-// they are apart, and collide from then on. A barrier would hold them in each other, or throw them apart.
+// Two boxes whose edges cross at the start, deeply or slightly, with no corner of one box in the other, must
+// move freely until they are apart, and collide from then on. A barrier would lock them into each other, or
+// throw them apart.
 TEST(SurfacePairs, WhatCrossesAtTheStartMeetsOnceItIsApart) {
     for (const double depth : {0.005, 1.5e-4}) {
         Shell shell = lone_vertex(Vector3d(5, 5, 5));
         StepperOptions options;
-        options.step = 2e-5;  // short, so that a force that throws the box apart would reach it
+        // The step is short, so that a force that throws the boxes apart would act for several steps.
+        options.step = 2e-5;
         options.gravity.setZero();
         RigidBody up = solid_body(Vector3d(0.02, 0.1, 0.02), Vector3d(0.003, 0.002, 0.02 - depth));
         up.velocity = Vector3d(0, 0, 1);
@@ -276,7 +285,8 @@ TEST(SurfacePairs, WhatCrossesAtTheStartMeetsOnceItIsApart) {
     }
 }
 
-// An obstacle that comes up under boxes must take them along: otherwise no step could begin.
+// An obstacle that moves up under two stacked boxes must take them along: if the boxes stayed, the obstacle
+// would enter them, and no step could begin.
 TEST(SurfacePairs, AMovingObstacleLiftsAStack) {
     Shell shell = lone_vertex(Vector3d(5, 5, 5));
     StepperOptions options;
