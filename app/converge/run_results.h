@@ -19,11 +19,11 @@ struct RunResults {
     std::size_t faces = 0;
     std::int64_t steps = 0, cracks = 0;
     double seconds = 0;  ///< s, wall time
-    /// For each gauge, as far as it records them, the displacement, the principal stress, the principal
-    /// curvature and the principal membrane strain, each at the end and at its largest, and the components of
-    /// stress, curvature and membrane strain at the end. For each support and obstacle its largest force.
-    /// Then the elastic energy at the end, the peaks of hinges and, in statics, the largest load and the load
-    /// before its first decrease.
+    /// For each gauge, of the quantities that it records: the final and the largest displacement, principal
+    /// stress, principal curvature and principal membrane strain, and the final components of stress,
+    /// curvature and membrane strain. For each support and obstacle its largest force. Then the elastic
+    /// energy at the end, the largest strain and the largest stress of hinges and, in statics, the largest
+    /// load and the load before its first decrease.
     std::vector<Quantity> quantities;
 };
 

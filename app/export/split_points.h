@@ -10,7 +10,8 @@ namespace sherd {
 /// glTF and graphics cards require.
 struct SplitPoints {
     std::vector<std::size_t> points;  ///< the sheet's point that each split point is, or is a copy of
-    std::vector<std::array<std::size_t, 2>> corners;     ///< a triangle with each split point, and its corner
+    /// For each split point, a triangle that has it as a corner, and the number of this corner.
+    std::vector<std::array<std::size_t, 2>> corners;
     std::vector<std::array<std::int32_t, 3>> triangles;  ///< the sheet's triangles, of split points
 };
 

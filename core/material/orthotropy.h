@@ -23,8 +23,9 @@ struct Orthotropy {
 std::string broken_inequality(const Orthotropy& constants);
 
 /// Stiffness lambda, N m, of a hinge whose rest edge makes `angle` (rad, of either sign) with the first axis
-/// (paper, section 5.1): a fold along the first axis bends the sheet along the second axis. Calibration is
-/// left out: for an isotropic sheet this is the rigidity D = Y t^3 / (12 (1 - nu^2)) at every angle.
+/// (paper, section 5.1): a fold along the first axis bends the sheet along the second axis. The
+/// factor of Material::calibration is not included: for an isotropic sheet the stiffness is the rigidity
+/// D = Y t^3 / (12 (1 - nu^2)) at every angle.
 double edge_stiffness(const Orthotropy& constants, double thickness, double angle);
 
 /// Elasticity times thickness in the material axes, N/m, [3, 3], acting on the strain (E00, E11, 2 E01).

@@ -37,7 +37,8 @@ VertexGraph::VertexGraph(Index vertices, const std::vector<std::pair<Index, Inde
         all[next[j]++] = i;
     }
     first.push_back(0);
-    std::vector<Index> last(vertices, -1);  // the last vertex around which each vertex was found
+    // For each vertex, the last v among whose neighbours it was counted: once for each v.
+    std::vector<Index> last(vertices, -1);
     for (Index v = 0; v < vertices; ++v) {
         last[v] = v;
         for (std::size_t at = named[v]; at < named[v + 1]; ++at)

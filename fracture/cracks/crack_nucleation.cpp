@@ -11,8 +11,9 @@ namespace {
 /// Distances from a tip, in thicknesses and in edge lengths, of which the larger is the radius in which no
 /// crack nucleates.
 constexpr double quiet_thicknesses = 4, quiet_edges = 2.5;
-/// In any mesh, at least this share of the principal tension acts across one of the edges around a point.
-/// Edges with a smaller tension across them therefore need not be tested for the principal tension.
+/// In a mesh without slivers, at least this share of the principal tension acts across one of the edges
+/// around a point. The principal tension is therefore compared with the strength only where the tension
+/// across an edge exceeds this share of the strength.
 constexpr double least_share = 0.5;
 /// Time for nucleation at twice the strength, over the time in which a crack at its speed limit crosses the
 /// thickness.

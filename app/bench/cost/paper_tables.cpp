@@ -63,8 +63,9 @@ void print_row(const Done& done, const std::vector<SolverChoice>& choices) {
 
 /// Results of one solver choice in all cases.
 struct Summary {
-    std::vector<double> ratios, of_first;  ///< rates over that of SolverChoice::beside, of the first choice
-    std::vector<double> differences;       ///< PaperResult::difference where it is finite
+    std::vector<double> ratios;       ///< for each case, rate of the choice over that of SolverChoice::beside
+    std::vector<double> of_first;     ///< for each case, rate of the choice over that of the first choice
+    std::vector<double> differences;  ///< PaperResult::difference where it is finite
     StepCost cost;
     int unfinished = 0;
 };

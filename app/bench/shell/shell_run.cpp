@@ -59,7 +59,8 @@ void add_references(const ShellCase& one, const Scene& scene, const std::vector<
 }
 
 /// Returns the load factor at a limit point, and the displacement along x of the first gauge there. The limit
-/// point is the peak of the parabola through station `i` and its two neighbours.
+/// point is the extremum of the parabola through station `i` and its two neighbours; at an end of the path it
+/// is station `i`.
 std::pair<double, double> limit_near(const std::vector<Station>& path, std::size_t i) {
     if (i == 0 || i + 1 >= path.size()) return {path[i].load, path[i].gauges[0].x()};
     const double before = path[i - 1].load, here = path[i].load, after = path[i + 1].load;

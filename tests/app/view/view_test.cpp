@@ -175,10 +175,11 @@ TEST_F(View, DrawsCracksAsCracksAndTheRimAsRim) {
     EXPECT_EQ(count(0, 0), rim);
     EXPECT_EQ(count(0, 2), 0);
     EXPECT_EQ(count(1, 0), rim);
-    EXPECT_EQ(count(1, 2), 16) << "two lips of eight edges";
+    EXPECT_EQ(count(1, 2), 16) << "two crack faces of eight edges";
 }
 
-// The page's scripts must be in the program unchanged, and the page must not load anything from elsewhere.
+// The page must contain its scripts unchanged, as the build embeds them in the program, and must not load
+// anything from elsewhere.
 TEST_F(View, PageIsWholeAndAsksForNothingElse) {
     ViewOptions options;
     options.recording = folder.path / "run.h5";

@@ -57,8 +57,8 @@ void add_maps(const SheetSpec& sheet, FractureLaw law, const Mesh& placed, std::
 }
 
 /// Returns the strength of a sheet that can fail. The factor of each edge of `placed` is the product of the
-/// factors of the scatter (with the scene's seed), of the maps and of the scores of the strength; it is
-/// infinite if the edge never fails. Throws Error naming the scene's line and key; warnings are sentences.
+/// factors of the scatter (with the scene's seed), of the maps and of the scored lines for the strength; it
+/// is infinite if the edge never fails. Throws Error naming the scene's line and key; warnings are sentences.
 Strength sheet_strength(const SheetSpec& sheet, const Scene& scene, const Mesh& placed,
                         std::vector<std::string>& warnings) {
     const FractureSpec& fracture = *sheet.fracture;
@@ -71,9 +71,9 @@ Strength sheet_strength(const SheetSpec& sheet, const Scene& scene, const Mesh& 
     return strength;
 }
 
-/// Returns the toughness of a sheet that can fail, with the factors of the maps and of the scores of the
-/// toughness, and with the given speed limit or, by default, usual_speed_limit(). Throws Error like
-/// sheet_strength().
+/// Returns the toughness of a sheet that can fail, with the factors that maps and scored lines for the
+/// toughness give its edges, and with the given speed limit or, by default, usual_speed_limit(). Throws Error
+/// like sheet_strength().
 Toughness sheet_toughness(const SheetSpec& sheet, const Mesh& placed, std::vector<std::string>& warnings) {
     const FractureSpec& fracture = *sheet.fracture;
     Toughness toughness;
