@@ -33,7 +33,8 @@ OFTEN = 0.05  # largest share of gentle impacts that may end with the error
 GENTLE = 0.1  # sheet sizes a step, below which an impact is gentle
 SELDOM = 0.02  # largest share of all impacts that may be stopped before they end
 # Parts of the error messages with which a run may end
-PROPER = ["cannot be solved", "passes through", "have become unstable", "would need substeps"]
+PROPER = ["cannot be solved", "passes through", "pass through each other", "have become unstable",
+          "would need substeps"]
 
 
 @dataclasses.dataclass
