@@ -13,7 +13,8 @@ from docs_test import TOP, text_of
 from scene_snippets import errors_of, output_of
 
 OTHERS = ("alias", "apt", "awk", "ffmpeg", "man", "printf", "sudo", "time")  # the system's, which are not checked
-CTEST = {"-R": 1, "-E": 1, "-L": 1, "-LE": 1, "-V": 0, "--preset": 1}  # options and the number of their values
+# Options of ctest and the number of their values.
+CTEST = {"-R": 1, "-E": 1, "-L": 1, "-LE": 1, "-V": 0, "--parallel": 1, "--preset": 1, "--test-dir": 1}
 Option = collections.namedtuple("Option", "name value choices least most")  # least, most: the number of its values
 Help = collections.namedtuple("Help", "commands options places")
 
@@ -94,6 +95,12 @@ def simple_commands(line):
 
 def presets(kind):
     return {preset["name"] for preset in json.loads(text_of(TOP / "CMakePresets.json"))[kind]}
+
+
+def faults_of_folder(folder):
+    """Returns a list of faults: empty if a preset builds in this folder."""
+    known = {f"build/{preset}" for preset in presets("configurePresets")}
+    return [] if folder in known or is_open(folder) else [f"{folder} is the folder of no preset"]
 
 
 class CommandSnippets:
@@ -182,6 +189,8 @@ class CommandSnippets:
                 faults.append(f"{name} {value} chooses no test")
             if name == "--preset" and value not in presets("testPresets"):
                 faults.append(f"--preset {value} is none of the tests")
+            if name == "--test-dir":
+                faults += faults_of_folder(value)
         return faults
 
     @functools.cached_property
@@ -191,12 +200,12 @@ class CommandSnippets:
 
     def faults_of_cmake(self, words):
         """Returns presets, targets, folders and settings of the build that are not there."""
-        faults, folders = [], {f"build/{preset}" for preset in presets("configurePresets")}
+        faults = []
         for word, after in zip(words, [*words[1:], "..."]):
             if word == "--preset" and after not in presets("configurePresets"):
                 faults.append(f"--preset {after} is none of the build")
-            if word in ("--build", "--install") and after not in folders and not is_open(after):
-                faults.append(f"{after} is the folder of no preset")
+            if word in ("--build", "--install"):
+                faults += faults_of_folder(after)
             setting = re.match(r"-D(\w+)", word)
             if setting and not re.search(rf"\b{setting[1]}\b", text_of(self.build / "CMakeCache.txt")
                                          + text_of(self.build / "CPackConfig.cmake")):

@@ -164,6 +164,7 @@ class Snippets(unittest.TestCase):
         self.assert_wrong("cmake --build build/release --target shred", "--target shred is none")
         self.assert_wrong("cmake --build build/relase", "build/relase is the folder of no preset")
         self.assert_wrong("ctest --preset fuzz", "--preset fuzz is none")
+        self.assert_wrong("ctest --test-dir build/relase", "build/relase is the folder of no preset")
         self.assert_wrong("tests/run -R NoTestHasThisName", "chooses no test")
         self.assert_wrong("tests/runs", "tests/runs is not there")
         self.assert_wrong("docs/index.md", "docs/index.md is no program")

@@ -42,8 +42,7 @@ void advance(Shell& shell, const StepperOptions& options, int count, double thic
 Obstacle spike(double friction = 0) {
     const double half = 0.02;
     Obstacle box = solid_box(Vector3d::Zero(), Vector3d::Constant(half), 3e10, friction);
-    box.motion.place.linear() =
-        Eigen::Quaterniond::FromTwoVectors(Vector3d::Ones(), Vector3d::UnitZ()).toRotationMatrix();
+    box.motion.place.linear() = test::onto_a_corner();
     box.motion.place.translation() = Vector3d(0, 0, -std::sqrt(3.0) * half);
     return box;
 }

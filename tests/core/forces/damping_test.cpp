@@ -3,10 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
-
 #include "core/membrane/membrane_energy.h"
 #include "core/time/implicit_stepper.h"
+#include "tests/core/eigenpairs.h"
 #include "tests/support/shell/materials.h"
 #include "tests/support/shell/small_sheet.h"
 #include "tests/support/shell/steps.h"
@@ -14,9 +13,8 @@
 namespace sherd {
 namespace {
 
-/// Vibration modes of a sheet at rest: eigenvectors u of stiffness K and mass M with u^T M u = 1, slowest
-/// first.
-Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(const Shell& shell, BendingModel model) {
+/// Vibration modes of a sheet at rest.
+test::Modes modes(const Shell& shell, BendingModel model) {
     const std::unique_ptr<Energy> bending = bending_energy(shell, {model, exact_jacobian(model)});
     const MembraneEnergy membrane(shell.triangles);
     std::vector<std::pair<Index, Index>> pairs;
@@ -26,8 +24,7 @@ Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(const Shell& she
     bending->add_hessian(shell.rest, Curvature::exact, stiffness);
     membrane.add_hessian(shell.rest, Curvature::exact, stiffness);
     const VectorXd mass = shell.mass.transpose().replicate(3, 1).reshaped();
-    return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(test::dense(stiffness),
-                                                                     Eigen::MatrixXd(mass.asDiagonal()));
+    return test::modes_of(test::dense(stiffness), mass);
 }
 
 // Each mode, of angular frequency w, must decay as implicit Euler's difference equation says, with the step
@@ -41,9 +38,9 @@ TEST_P(DampingOf, EveryModeDecaysAtTheRateOfTheTwoCoefficients) {
     const auto eigen = modes(rest, GetParam());
     for (int mode = 6; mode < 12; ++mode) {
         Shell shell = rest;
-        const double w = std::sqrt(eigen.eigenvalues()[mode]);
+        const double w = std::sqrt(eigen.squares[mode]);
         const double h = 0.2 / w;
-        const VectorXd u = eigen.eigenvectors().col(mode);
+        const VectorXd u = eigen.vectors.col(mode);
         const double amplitude = 1e-6 / u.cwiseAbs().maxCoeff();
         shell.position += amplitude * u.reshaped(3, 4);
         StepperOptions options;

@@ -5,9 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
-
 #include "core/time/highest_frequency.h"
+#include "tests/core/eigenpairs.h"
 #include "tests/support/contact/contact_pairs.h"
 #include "tests/support/contact/obstacles.h"
 #include "tests/support/shell/elastic_gradient.h"
@@ -38,25 +37,23 @@ auto gradient_of(ShellEnergies& forces) {
     return [&](const Positions& x) { return test::elastic_gradient(forces, x); };
 }
 
-/// Eigenvalues, 1/s^2, and modes of the shell at rest, with fixed vertices left out.
-Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes_at_rest(
-    Stepper& stepper, const Shell& shell, const std::vector<Energy*>& energies) {
+/// Vibration modes of the shell at rest, with fixed vertices left out.
+test::Modes modes_at_rest(Stepper& stepper, const Shell& shell, const std::vector<Energy*>& energies) {
     std::vector<std::pair<Index, Index>> pairs;
     for (const Energy* energy : energies) energy->add_pattern(pairs);
     BlockMatrix matrix(static_cast<Index>(shell.mass.size()), pairs, shell.fixed);
     for (const Energy* energy : energies) energy->add_hessian(stepper.position, Curvature::exact, matrix);
     const VectorXd mass = shell.mass.replicate(1, 3).transpose().reshaped();
-    return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(test::dense(matrix),
-                                                                     Eigen::MatrixXd(mass.asDiagonal()));
+    return test::modes_of(test::dense(matrix), mass);
 }
 
 class ExplicitModes : public ::testing::Test {
   protected:
     void SetUp() override {
         ExplicitStepper stepper(shell, explicit_steps(1e-5));
-        const auto solved = modes_at_rest(stepper, shell, forces.elastic());
-        squares = solved.eigenvalues();
-        modes = solved.eigenvectors();
+        const test::Modes solved = modes_at_rest(stepper, shell, forces.elastic());
+        squares = solved.squares;
+        modes = solved.vectors;
     }
 
     Shell shell = test::stacked_plates(1, 5, 0, test::glass);
@@ -99,7 +96,7 @@ TEST_F(ExplicitModes, AVertexAmongHeldOnesHasItsOwnFrequency) {
     std::ranges::fill(shell.fixed, 1);
     shell.fixed[shell.fixed.size() / 2] = 0;
     ExplicitStepper stepper(shell, explicit_steps(1e-5));
-    const double exact = modes_at_rest(stepper, shell, forces.elastic()).eigenvalues().maxCoeff();
+    const double exact = modes_at_rest(stepper, shell, forces.elastic()).squares.maxCoeff();
     Positions mode;
     EXPECT_NEAR(highest_frequency(gradient_of(forces), shell, shell.position, mode) / std::sqrt(exact), 1,
                 1e-3);

@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
-
+#include "tests/core/eigenpairs.h"
 #include "tests/support/shell/uneven_patch.h"
 
 namespace sherd {
@@ -44,7 +43,7 @@ double smallest_stiffness(const Shell& shell) {
         test::hessian_of(*membrane_energy(shell, MembraneModel::constant_strain), shell.rest,
                          Curvature::exact);
     for (Index i = 0; i < stiffness.rows(); ++i) stiffness(i, i) += 100 * shell.mass[i / 3];
-    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(stiffness, Eigen::EigenvaluesOnly).eigenvalues()[0];
+    return test::eigenvalues(stiffness)[0];
 }
 
 // Most sheets are proved stable hinge by hinge, without the matrix of the whole sheet; no unstable sheet may

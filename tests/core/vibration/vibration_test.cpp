@@ -3,10 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
-
 #include "core/solver/potential.h"
 #include "core/vibration/rigid_motions.h"
+#include "tests/core/eigenpairs.h"
 #include "tests/support/shell/materials.h"
 #include "tests/support/shell/plates.h"
 #include "tests/support/shell/small_sheet.h"
@@ -44,7 +43,7 @@ VectorXd dense_eigenvalues(const Shell& shell, const ShellEnergyOptions& options
     const VectorXd mass = shell.mass.replicate(1, 3).transpose().reshaped();
     const VectorXd root = mass(free).cwiseSqrt().cwiseInverse();
     const MatrixXd scaled = root.asDiagonal() * stiffness_of(shell, options)(free, free) * root.asDiagonal();
-    return Eigen::SelfAdjointEigenSolver<MatrixXd>(scaled).eigenvalues();
+    return test::eigenvalues(scaled);
 }
 
 /// A plate that is pinned at one corner and guided at two others, in the planes across x and across y, under

@@ -3,7 +3,6 @@
 // docs/theory/membrane.md.
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <chrono>
 #include <cmath>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <map>
 
 #include "core/contact/colliders/obstacle.h"
@@ -17,6 +18,11 @@ Obstacle obstacle(const Solid& solid, double young = 3e10, double friction = 0) 
 /// Plane z = 0.
 inline Obstacle floor(double young = 3e10, double friction = 0) {
     return obstacle(PlaneShape{}, young, friction);
+}
+
+/// Rotation that makes a cube stand on a corner: the direction (1, 1, 1) becomes vertical.
+inline Matrix3d onto_a_corner() {
+    return Eigen::AngleAxisd(std::acos(1 / std::sqrt(3.0)), Vector3d(1, -1, 0).normalized()).matrix();
 }
 
 /// Surface of a box, made of twelve triangles. centre, half (from the centre to the sides): m.

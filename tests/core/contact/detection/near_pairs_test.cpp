@@ -64,7 +64,7 @@ void walk(const ContactSurface& surface, Positions x, unsigned seed) {
     Random random(seed);
     const NearPairs walker(surface, Threads(2));
     const double size = random.uniform(-5.5, -3);
-    for (int i = 0; i < 12; ++i) {
+    for (int i = 0; i < 6; ++i) {
         const Positions motion = stride(random, x, surface.collider_vertices(), size);
         expect_same(walker, x, motion);
         x += random.uniform(0, 1) * motion;

@@ -191,7 +191,7 @@ TEST(BodySurfaces, ACornerThatSinksDeepIsThrownBack) {
     World world;
     world.options.step = 2e-6;
     RigidBody box = solid_body(Vector3d(0.02, 0.02, 0.02), Vector3d(0.003, 0.002, 0.0175));
-    box.rotation = Eigen::Quaterniond::FromTwoVectors(Vector3d::Ones(), Vector3d::UnitZ()).matrix();
+    box.rotation = test::onto_a_corner();
     box.velocity = Vector3d(0, 0, -60);
     box.friction = 0;
     world.options.contact.obstacles = {solid_box(Vector3d(0, 0, -0.05), Vector3d(0.1, 0.1, 0.05))};
