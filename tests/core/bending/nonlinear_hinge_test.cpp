@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "tests/core/eigenpairs.h"
+#include "tests/support/shell/eigenpairs.h"
 #include "tests/support/shell/random_shapes.h"
 
 namespace sherd {

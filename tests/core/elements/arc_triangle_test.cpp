@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/material/material.h"
-#include "tests/core/eigenpairs.h"
+#include "tests/support/shell/eigenpairs.h"
 #include "tests/support/shell/random_shapes.h"
 
 namespace sherd {

@@ -5,7 +5,7 @@
 
 #include "core/membrane/membrane_energy.h"
 #include "core/time/implicit_stepper.h"
-#include "tests/core/eigenpairs.h"
+#include "tests/support/shell/eigenpairs.h"
 #include "tests/support/shell/materials.h"
 #include "tests/support/shell/small_sheet.h"
 #include "tests/support/shell/steps.h"

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "core/time/implicit_stepper.h"
-#include "tests/core/eigenpairs.h"
+#include "tests/support/shell/eigenpairs.h"
 #include "tests/support/shell/small_sheet.h"
 #include "tests/support/shell/steps.h"
 

@@ -10,7 +10,7 @@
 #include "core/membrane/membrane.h"
 #include "core/membrane/membrane_energy.h"
 #include "core/shell/face_fields.h"
-#include "tests/core/eigenpairs.h"
+#include "tests/support/shell/eigenpairs.h"
 #include "tests/support/shell/uneven_patch.h"
 
 namespace sherd {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/material/material.h"
-#include "tests/core/eigenpairs.h"
+#include "tests/support/shell/eigenpairs.h"
 #include "tests/support/shell/finite_differences.h"
 #include "tests/support/shell/random_shapes.h"
 

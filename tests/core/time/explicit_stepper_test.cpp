@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "core/time/highest_frequency.h"
-#include "tests/core/eigenpairs.h"
 #include "tests/support/contact/contact_pairs.h"
 #include "tests/support/contact/obstacles.h"
+#include "tests/support/shell/eigenpairs.h"
 #include "tests/support/shell/elastic_gradient.h"
 #include "tests/support/shell/materials.h"
 #include "tests/support/shell/plates.h"

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/core/eigenpairs.h"
+#include "tests/support/shell/eigenpairs.h"
 #include "tests/support/shell/uneven_patch.h"
 
 namespace sherd {

@@ -5,7 +5,7 @@
 
 #include "core/solver/potential.h"
 #include "core/vibration/rigid_motions.h"
-#include "tests/core/eigenpairs.h"
+#include "tests/support/shell/eigenpairs.h"
 #include "tests/support/shell/materials.h"
 #include "tests/support/shell/plates.h"
 #include "tests/support/shell/small_sheet.h"

@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "tests/core/eigenpairs.h"
+#include "tests/support/shell/eigenpairs.h"
 #include "tests/support/shell/finite_differences.h"
 #include "tests/support/shell/random_shapes.h"
 #include "tests/support/shell/small_sheet.h"

@@ -7,7 +7,7 @@
 
 namespace sherd::test {
 
-// These are compiled once: Eigen's solver takes seconds for each size of matrix.
+// Eigen's solver takes seconds to compile for each size of matrix: these functions are compiled once.
 
 /// Eigenvalues of a symmetric matrix, ascending.
 VectorXd eigenvalues(const Eigen::MatrixXd& symmetric);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/core/eigenpairs.h"
+#include "tests/support/shell/eigenpairs.h"
 
 #include <Eigen/Eigenvalues>
 
