@@ -4,8 +4,6 @@
 #include "app/files/disk/pending_file.h"
 #include "app/scene/read/scene.h"
 #include "app/scene/read/shipped_scenes.h"
-#include "app/scene/read/variant_remarks.h"
-#include "meshops/error.h"
 
 namespace sherd {
 
@@ -51,19 +49,7 @@ std::filesystem::path origin_of(const std::filesystem::path& file) {
 
 std::vector<Scene> read_scenes(const SceneOptions& options) {
     const std::string text = read_scene_text(options.file);  // once: a pipe cannot be read again
-    const std::filesystem::path file = origin_of(options.file);
-    const std::vector<std::string> names = variant_names(text, file);
-    if (names.empty() || !options.choice.variant.empty()) return {parse_scene(text, file, options.choice)};
-    std::vector<Scene> scenes;
-    VariantRemarks mistakes;
-    for (const std::string& name : names) try {
-            scenes.push_back(parse_scene(text, file, {options.choice.overrides, name}));
-            mistakes.add(name, "");
-        } catch (const Error& error) {
-            mistakes.add(name, error.what());
-        }
-    mistakes.throw_if_any();
-    return scenes;
+    return parse_scenes(text, origin_of(options.file), options.choice);
 }
 
 }  // namespace sherd

@@ -23,6 +23,7 @@
 #include "app/render/trace/render_film.h"
 #include "app/render/trace/render_picture.h"
 #include "meshops/error.h"
+#include "meshops/read_write/text_line.h"
 
 namespace sherd {
 namespace {
@@ -73,6 +74,11 @@ StageOptions stage_options(const RenderOptions& options, const PictureOptions& p
     return stage;
 }
 
+/// Whether the output is the file of a single picture; otherwise it is a folder.
+bool is_single(const RenderOptions& options) {
+    return lower_case(options.output.extension().string()) == ".png";
+}
+
 /// The files of the pictures; none if only a film is wanted. Pictures of frames are numbered as the frames.
 /// Pictures of a film are numbered from 0, and have another name, with `_film`.
 std::vector<fs::path> planned_files(const RenderOptions& options, const std::vector<PlaybackTime>& moments) {
@@ -80,7 +86,7 @@ std::vector<fs::path> planned_files(const RenderOptions& options, const std::vec
         if (options.film.empty()) throw Error("nothing to draw into: give -o PATH, or --film FILE.mp4");
         return {};
     }
-    if (options.output.extension() == ".png") {
+    if (is_single(options)) {
         if (moments.size() == 1) return {options.output};
         throw Error(fmt::format("-o {}: {} pictures are wanted; name a folder", options.output.string(),
                                 moments.size()));
@@ -118,7 +124,7 @@ void check_pace(const RenderOptions& options) {
 /// The path that is locked while pictures are drawn: the file of a single picture, or the common name of all
 /// files without a number.
 fs::path whole_output(const RenderOptions& options) {
-    if (options.output.extension() == ".png") return options.output;
+    if (is_single(options)) return options.output;
     return options.output / fmt::format("{}.png", options.recording.stem().string());
 }
 
@@ -184,6 +190,8 @@ Rendering render_recording(const RenderOptions& options) {
     const PictureOptions picture = picture_options(options);
     const StageOptions wanted = stage_options(options, picture);
     check_pace(options);
+    require_kind(options.output, ".png",
+                 "pictures are PNG; name a .png file or a folder, or pass --film FILE.mp4 for a film");
     const Recording recording(options.recording);
     std::string pace;
     const std::vector<PlaybackTime> moments = planned_moments(options, recording, pace);

@@ -115,15 +115,17 @@ void add_scenes(CLI::App& program, Command& chosen) {
         ->option_text("FOLDER")
         ->needs(copy);
     command->add_flag("--force", options->force, "Replace files that exist")->needs(copy);
-    command->add_flag("--json", options->json, "For scripts: name, file and description of each")
-        ->excludes(copy);
+    CLI::Option* json =
+        command->add_flag("--json", options->json, "For scripts: name, file and description of each")
+            ->excludes(copy);
     CLI::Option* keys =
         command
             ->add_option("--keys", options->keys,
                          "Keys of scenes, of one table or one key alone: values, defaults and meaning")
             ->option_text("[TABLE]")
             ->expected(0, 1)
-            ->excludes(copy);
+            ->excludes(copy)
+            ->excludes(json);
     command->add_flag("--schema", options->schema, "For editors: the JSON Schema of scenes")
         ->excludes(copy)
         ->excludes(keys);

@@ -15,7 +15,7 @@
 namespace sherd {
 namespace {
 
-constexpr std::string_view any_name = "NAME";
+constexpr std::string_view any_name = "NAME", scene_name = "scene";
 
 std::string dotted(const std::string& place, std::string_view name) {
     return place.empty() ? std::string(name) : fmt::format("{}.{}", place, name);
@@ -34,6 +34,11 @@ void add_sections(std::vector<PlacedSection>& all, const std::string& place, con
 std::string short_place(std::string place) {
     for (std::size_t at = 0; (at = place.find(".NAME")) != std::string::npos;) place.erase(at, 5);
     return place;
+}
+
+/// Returns the name by which a user finds the table at `place`.
+std::string name_of_table(const std::string& place) {
+    return place.empty() ? std::string(scene_name) : short_place(place);
 }
 
 std::string joined_words(const std::vector<std::string>& words) {
@@ -101,17 +106,18 @@ std::string words_of(const KeyInfo& key) {
 /// Whether `typed` names the table at `place`: by the whole place, by the place without ".NAME", or by the
 /// last parts of the latter. "scene" names the scene itself, whose place is empty.
 bool is_meant(const std::string& place, const std::string& typed) {
-    if (place.empty()) return typed == "scene";
+    if (place.empty()) return typed == scene_name;
     const std::string bare = short_place(place);
     return place == typed || bare == typed || bare.ends_with("." + typed);
 }
 
-/// Throws Error (input): `wanted` does not exist. The message suggests the table or key whose name is nearest
-/// to it.
-[[noreturn]] void throw_unknown(const std::string& wanted, const std::vector<PlacedSection>& sections) {
+/// Throws Error (input): what a user has `typed` does not exist. The message suggests the table or key whose
+/// name is nearest to `wanted`, the same without brackets and names that users choose.
+[[noreturn]] void throw_unknown(const std::string& typed, const std::string& wanted,
+                                const std::vector<PlacedSection>& sections) {
     std::vector<std::string> known;
     for (const PlacedSection& placed : sections) {
-        known.push_back(placed.place.empty() ? "scene" : short_place(placed.place));
+        known.push_back(name_of_table(placed.place));
         for (const KeyText& key : placed.section.keys)
             known.push_back(dotted(short_place(placed.place), key.info.name));
     }
@@ -120,16 +126,33 @@ bool is_meant(const std::string& place, const std::string& typed) {
     if (wanted.find('.') != std::string::npos)
         std::erase_if(known, [](const std::string& name) { return name.find('.') == std::string::npos; });
     const std::string nearest = nearest_name(wanted, known);
-    throw Error(fmt::format("--keys {}: scenes have no table and no key of this name; {}", wanted,
+    throw Error(fmt::format("--keys {}: scenes have no table and no key of this name; {}", typed,
                             nearest.empty() ? "'sherd scenes --keys' lists all of them"
                                             : fmt::format("did you mean '{}'?", nearest)));
 }
 
-/// Returns the tables that `wanted` names (all if it is empty). If it names none, returns the tables that
-/// have a key of this name, each with only this key.
-std::vector<PlacedSection> wanted_sections(const std::string& wanted) {
-    std::vector<PlacedSection> sections = scene_sections(), found;
-    if (wanted.empty()) return sections;
+/// If `wanted` is a key of earlier versions, or a word that a key could have then ("solver.midpoint"), throws
+/// Error (input) with its replacement.
+void throw_if_retired(const std::string& wanted, const std::vector<PlacedSection>& sections) {
+    for (const PlacedSection& placed : sections) {
+        const auto is_wanted = [&](std::string_view name) {
+            return !name.empty() && (name == wanted || dotted(short_place(placed.place), name) == wanted);
+        };
+        for (const Retired& key : placed.section.retired)
+            if (is_wanted(key.name))
+                throw Error(fmt::format("--keys {}: is no key any more: {}", wanted, key.instead));
+        for (const KeyText& key : placed.section.keys)
+            if (const auto& [name, instead] = key.info.rules.retired; is_wanted(name))
+                throw Error(fmt::format("--keys {}: {} has no \"{}\" any more: {}", wanted, key.info.name,
+                                        name, instead));
+    }
+}
+
+/// Returns the tables that `wanted` names. If it names none, returns the tables that have a key of this name,
+/// each with only this key.
+std::vector<PlacedSection> named_sections(const std::string& wanted,
+                                          const std::vector<PlacedSection>& sections) {
+    std::vector<PlacedSection> found;
     std::ranges::copy_if(sections, std::back_inserter(found),
                          [&](const PlacedSection& placed) { return is_meant(placed.place, wanted); });
     if (!found.empty()) return found;
@@ -140,8 +163,37 @@ std::vector<PlacedSection> wanted_sections(const std::string& wanted) {
         for (const KeyText& key : placed.section.keys)
             if (key.info.name == name && (table.empty() || is_meant(placed.place, table)))
                 found.push_back({placed.place, {placed.section.title, {key}}});
-    if (found.empty()) throw_unknown(wanted, sections);
     return found;
+}
+
+/// Returns "solver" for "[solver]" and "gauge" for "[[gauge]]".
+std::string without_brackets(std::string heading) {
+    while (heading.size() > 2 && heading.front() == '[' && heading.back() == ']')
+        heading = heading.substr(1, heading.size() - 2);
+    return heading;
+}
+
+/// Returns "sheet.fracture" for "sheet.plate.fracture", where "plate" is a name that a user has chosen for a
+/// table; other texts stay as they are.
+std::string without_chosen_name(const std::string& typed) {
+    const std::size_t dot = typed.find('.'), end = typed.find('.', dot + 1);
+    if (dot == std::string::npos || end == std::string::npos) return typed;
+    for (const KeyText& key : scene_reference().keys)
+        if (has_form(key.info.forms, Form::named) && typed.substr(0, dot) == key.info.name)
+            return typed.substr(0, dot) + typed.substr(end);
+    return typed;
+}
+
+/// Returns the tables, or the tables with one key, that a user asks for; all tables if `typed` is empty.
+/// Throws Error (input) if there are none.
+std::vector<PlacedSection> wanted_sections(const std::string& typed) {
+    const std::string wanted = without_brackets(typed), bare = without_chosen_name(wanted);
+    std::vector<PlacedSection> sections = scene_sections();
+    if (wanted.empty()) return sections;
+    for (const std::string& name : {wanted, bare})
+        if (std::vector<PlacedSection> found = named_sections(name, sections); !found.empty()) return found;
+    throw_if_retired(wanted, sections);
+    throw_unknown(typed, bare, sections);
 }
 
 /// Returns the texts of sections without repetitions: different kinds of a table may contain the same table.
@@ -174,11 +226,13 @@ std::string value_text(const KeyInfo& key) {
     add(Form::choice, joined_words(names));
     add(Form::names, fmt::format("an array of some of {}", fmt::join(names, ", ")));
     add(Form::text, fmt::format("{} in quotes", rules.what));
+    add(Form::name, fmt::format("{} in quotes", rules.what));
     add(Form::file, fmt::format("{} in quotes", rules.what));
     add(Form::vector, "an array of 3 numbers");
     add(Form::pair, "an array of 2 numbers");
     add(Form::rows,
-        fmt::format("an array of at least {} arrays of {} numbers", rules.least_rows, rules.columns));
+        fmt::format("an array of {}{} arrays of {} numbers",
+                    rules.least_rows == rules.most_rows ? "" : "at least ", rules.least_rows, rules.columns));
     add(Form::lists_of_rows, fmt::format("an array of arrays of at least {} arrays of {} numbers",
                                          rules.least_rows, rules.columns));
     add(Form::flag, "true or false");
@@ -202,6 +256,15 @@ std::string key_tables(const std::string& wanted) {
     return joined_texts(wanted_sections(wanted), section_table);
 }
 
+std::vector<std::string> table_names() {
+    std::vector<std::string> names;
+    for (const PlacedSection& placed : scene_sections())
+        if (const std::string name = name_of_table(placed.place);
+            std::ranges::find(names, name) == names.end())
+            names.push_back(name);
+    return names;
+}
+
 std::vector<std::string> settable_lines(const std::vector<std::string>& sheets,
                                         const std::vector<std::string>& obstacles) {
     // Words of each key. If several kinds of a table have the key, their words are joined.
@@ -211,6 +274,7 @@ std::vector<std::string> settable_lines(const std::vector<std::string>& sheets,
         if (all.find(more) == std::string::npos) all += more;
     };
     for (const auto& [place, section] : scene_sections()) {
+        if (place == variant_key) continue;  // --set cannot add a variant
         const std::size_t at = place.find(any_name);
         const std::vector<std::string> names = at == std::string::npos         ? std::vector<std::string>{""}
                                                : place.starts_with("obstacle") ? obstacles

@@ -28,14 +28,18 @@ std::string value_text(const KeyInfo& key);
 std::string default_text(const KeyText& key);
 
 /// Returns the reference of the keys of scenes as text, in lines of at most `columns` characters; 0: of any
-/// length. wanted: a table, for example "solver", "sheet.fracture", or "scene" for the outermost table; or a
-/// key, for example "solver.step"; or empty for all tables. Throws Error (input) with the nearest name if
-/// there is no such table or key.
+/// length. wanted: a table, for example "solver", "[solver]", "sheet.fracture", "sheet.plate.fracture" (with
+/// any name of a sheet), or "scene" for the outermost table; or a key, for example "solver.step"; or empty
+/// for all tables. Throws Error (input) if there is no such table or key: with the replacement of a key of
+/// earlier versions, or the nearest name.
 std::string key_reference(const std::string& wanted, std::size_t columns);
 
 /// Returns the reference of the keys that `wanted` names as tables in Markdown. wanted and errors: see
 /// key_reference().
 std::string key_tables(const std::string& wanted);
+
+/// Returns the names by which key_reference() finds each table, for example "solver" and "sheet.fracture".
+std::vector<std::string> table_names();
 
 /// Returns a line for completion for each key that `--set` can set: the dotted key, followed by its allowed
 /// words. In a key of a sheet or an obstacle, each of the given names in turn takes the place of NAME.

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <string_view>
 
+#include "app/help/key_reference.h"
 #include "app/messages/split.h"
 
 namespace sherd {
@@ -44,6 +45,7 @@ OptionValue option_value(const CLI::Option& option) {
     if (text.find('|') != std::string::npos) return {Kind::words, split(text, '|')};
     if (text == "SCENE.toml") return {Kind::scene, {}};
     if (text.starts_with("KEY=VALUE")) return {Kind::setting, {}};
+    if (text == "[TABLE]") return {Kind::words, table_names()};
     if (text == "SCENE") return {Kind::shipped_scene, {}};
     if (const std::string extension = extension_of(text); !extension.empty())
         return {Kind::file, {extension}};

@@ -26,8 +26,8 @@ struct OptionValue {
 /// Returns the value of an option or argument, derived from its help, so that it is declared in one place. An
 /// option text like `rigid|morph` lists words. A value is a file if the option text ends in an extension
 /// (`RUN.h5`) or is PATH, FILE, FOLDER, OUT or MESH, if the description has extensions in brackets, `(.obj,
-/// .ply)`, or if it is an argument without any of these signs. SCENE.toml and SCENE are scenes, and KEY=VALUE
-/// is a setting.
+/// .ply)`, or if it is an argument without any of these signs. SCENE.toml and SCENE are scenes, KEY=VALUE is
+/// a setting, and [TABLE] is a table of scenes.
 OptionValue option_value(const CLI::Option& option);
 
 /// Returns the names of an option as users type them, for example -o and --output; empty for an argument.

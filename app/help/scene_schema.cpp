@@ -7,7 +7,11 @@
 namespace sherd {
 namespace {
 
-Json section_schema(const SectionText& section);
+/// Whether a schema is for a whole table, or for keys that a variant merges into a table, which has the
+/// required ones already.
+enum class Extent { whole, merged };
+
+Json section_schema(const SectionText& section, Extent extent);
 
 /// Returns the schema of a number in a range. The bounds that TomlTable sets for all numbers are left out.
 Json number_schema(const Range& range, const char* type) {
@@ -35,17 +39,38 @@ Json any_of(std::vector<Json> schemas) {
     return {{"anyOf", schemas}};
 }
 
-Json inside_schema(const KeyText& key) {
+/// Returns the schema of a Form::name.
+Json name_schema() {
+    // The last of the characters is -, which therefore means itself within brackets.
+    static_assert(name_characters.ends_with('-'));
+    return {{"type", "string"}, {"pattern", "^(?!-)[" + std::string(name_characters) + "]+$"}};
+}
+
+/// Returns the schema of an array of different names.
+Json names_schema(std::span<const std::string_view> names) {
+    Json schema = array_schema(choice_schema(names), 1, names.size());
+    schema["uniqueItems"] = true;
+    return schema;
+}
+
+/// Returns the schema of a table of tables with names that the user chooses.
+Json named_schema(const Json& inside, bool needs_one) {
+    Json schema{{"type", "object"}, {"additionalProperties", inside}};
+    if (needs_one) schema["minProperties"] = 1;
+    return schema;
+}
+
+Json inside_schema(const KeyText& key, Extent extent) {
     if (key.inside.empty()) return {{"type", "object"}};
     std::vector<Json> kinds;
-    for (const SectionText& kind : key.inside) kinds.push_back(section_schema(kind));
+    for (const SectionText& kind : key.inside) kinds.push_back(section_schema(kind, extent));
     return any_of(std::move(kinds));
 }
 
-Json value_schema(const KeyText& key) {
+Json value_schema(const KeyText& key, Extent extent) {
     const KeyRules& rules = key.info.rules;
     const Json number{{"type", "number"}}, row = array_schema(number, rules.columns, rules.columns),
-                                           rows = array_schema(row, rules.least_rows, 0),
+                                           rows = array_schema(row, rules.least_rows, rules.most_rows),
                                            ranged = number_schema(rules.range, "number");
     std::vector<Json> forms;
     const auto add = [&](Form form, const auto& schema) {
@@ -55,23 +80,24 @@ Json value_schema(const KeyText& key) {
     add(Form::integer, [&] { return number_schema(rules.range, "integer"); });
     add(Form::flag, [] { return Json{{"type", "boolean"}}; });
     add(Form::text, [] { return Json{{"type", "string"}, {"minLength", 1}}; });
+    add(Form::name, [] { return name_schema(); });
     add(Form::file, [] { return Json{{"type", "string"}, {"minLength", 1}}; });
     add(Form::choice, [&] { return choice_schema(rules.choices); });
-    add(Form::names, [&] { return array_schema(choice_schema(rules.choices), 1, rules.choices.size()); });
+    add(Form::names, [&] { return names_schema(rules.choices); });
     add(Form::vector, [&] { return array_schema(number, 3, 3); });
     add(Form::pair, [&] { return array_schema(ranged, 2, 2); });
     add(Form::rows, [&]() -> const Json& { return rows; });
     add(Form::lists_of_rows, [&] { return array_schema(rows, 0, 0); });
-    add(Form::table, [&] { return inside_schema(key); });
-    add(Form::tables, [&] { return array_schema(inside_schema(key), 0, 0); });
-    add(Form::named, [&] {
-        return Json{{"type", "object"}, {"additionalProperties", inside_schema(key)}, {"minProperties", 1}};
-    });
+    add(Form::table, [&] { return inside_schema(key, extent); });
+    // An array in a variant replaces the whole array of the scene.
+    add(Form::tables, [&] { return array_schema(inside_schema(key, Extent::whole), 0, 0); });
+    add(Form::named,
+        [&] { return named_schema(inside_schema(key, extent), rules.required && extent == Extent::whole); });
     return any_of(std::move(forms));
 }
 
-Json key_schema(const KeyText& key) {
-    Json schema = value_schema(key);
+Json key_schema(const KeyText& key, Extent extent) {
+    Json schema = value_schema(key, extent);
     const std::string without = default_text(key);
     std::string text(key.info.sentence);
     if (!key.info.rules.unit.empty()) text += " (" + std::string(key.info.rules.unit) + ")";
@@ -80,11 +106,11 @@ Json key_schema(const KeyText& key) {
     return schema;
 }
 
-Json section_schema(const SectionText& section) {
+Json section_schema(const SectionText& section, Extent extent) {
     Json properties = Json::object(), required = Json::array(), conflicts = Json::array();
     for (const KeyText& key : section.keys) {
-        properties[std::string(key.info.name)] = key_schema(key);
-        if (key.info.rules.required) required.push_back(key.info.name);
+        properties[std::string(key.info.name)] = key_schema(key, extent);
+        if (key.info.rules.required && extent == Extent::whole) required.push_back(key.info.name);
         for (const std::string_view other : key.info.rules.excludes)
             if (!other.empty())
                 conflicts.push_back({{"not", {{"required", Json::array({key.info.name, other})}}}});
@@ -98,10 +124,27 @@ Json section_schema(const SectionText& section) {
     return schema;
 }
 
+/// Returns the schema of a variant: the keys of `variant`, such as its name, and any others of the scene.
+/// Required keys of tables may be missing, since the scene has them. (A table in braces replaces that of the
+/// scene, so that it does need them, but a schema cannot tell it from the others.)
+Json variant_schema(const SectionText& scene, const SectionText& variant) {
+    Json schema = section_schema(variant, Extent::whole);
+    const Json merged = section_schema(scene, Extent::merged);
+    for (const auto& [name, key] : merged["properties"].items())
+        if (name != variant_key) schema["properties"][name] = key;
+    return schema;
+}
+
 }  // namespace
 
 Json scene_schema() {
-    Json schema = section_schema(scene_reference());
+    const SectionText scene = scene_reference();
+    Json schema = section_schema(scene, Extent::whole);
+    for (const KeyText& key : scene.keys)
+        if (key.info.name == variant_key) {
+            const Json variant = variant_schema(scene, key.inside.front());
+            schema["properties"][variant_key]["anyOf"] = Json::array({variant, array_schema(variant, 0, 0)});
+        }
     schema["title"] = "A scene of Sherd";
     // A static scene ends at the load solver.load and must not have a duration; scenes with other schemes
     // need one.

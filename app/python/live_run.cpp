@@ -71,7 +71,7 @@ void LiveRun::record(const std::filesystem::path& file, bool force) {
     const ExclusiveUse turn(taken);
     if (recording) throw Error("the simulation is being recorded: end that recording first");
     if (last) throw Error("the simulation has made a step: a recording must begin before the first step");
-    RecordingOutput output(file, force);
+    RecordingOutput output(file, force, "force=True");
     remove_checkpoints(file);
     recording.reset(new LiveRecording{
         RunRecorder(std::move(output), runner.scene(), std::as_const(runner).simulation())});

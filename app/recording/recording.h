@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -106,8 +107,9 @@ struct RecordedMode {
 /// Files of a recording and of its index, locked for this program during the lifetime of this object.
 struct RecordingOutput {
     /// Locks the files. Throws Error (input) if another program writes one of them, if one of them exists and
-    /// `force` is false, or if the folder cannot be written; then leaves no files behind.
-    RecordingOutput(const std::filesystem::path& file, bool force);
+    /// `force` is false, or if the folder cannot be written; then leaves no files behind. permission: what
+    /// sets `force`, for the message.
+    RecordingOutput(const std::filesystem::path& file, bool force, std::string_view permission = "--force");
 
     OutputLock recording, index;
     bool force;  ///< whether existing files are replaced
@@ -169,6 +171,7 @@ class RecordingWriter {
     RestMesh rest;                         ///< mesh at rest of the last frame, at first the unfractured one
     std::string rest_path = "/rest";       ///< path of `rest` in the file
     std::size_t unfractured_vertices = 0;
+    std::string time_unit;  ///< RecordingHeader::time_unit
 };
 
 /// Reads a recording, also during its run: each call reads the last committed state. Every member throws

@@ -12,6 +12,7 @@
 
 #include "app/files/disk/pending_file.h"
 #include "app/messages/build_info.h"
+#include "app/messages/time_text.h"
 #include "app/recording/hdf5.h"
 #include "app/recording/hdf5_file.h"
 #include "app/recording/obstacle_writer.h"
@@ -320,10 +321,10 @@ const std::filesystem::path& create(const RecordingOutput& output, const Recordi
 
 }  // namespace
 
-RecordingOutput::RecordingOutput(const std::filesystem::path& file, bool force)
+RecordingOutput::RecordingOutput(const std::filesystem::path& file, bool force, std::string_view permission)
     : recording(file), index(index_of(file)), force(force) {
-    check_free(recording.output(), force);
-    check_free(index.output(), force);
+    check_free(recording.output(), force, {}, permission);
+    check_free(index.output(), force, {}, permission);
 }
 
 RecordingWriter::RecordingWriter(RecordingOutput output_, const RecordingHeader& header,
@@ -335,7 +336,8 @@ RecordingWriter::RecordingWriter(RecordingOutput output_, const RecordingHeader&
       supports(header.supports.size()),
       gauges(header.gauges.size()),
       rest(unfractured_mesh(header)),
-      unfractured_vertices(static_cast<std::size_t>(header.rest_position.cols())) {}
+      unfractured_vertices(static_cast<std::size_t>(header.rest_position.cols())),
+      time_unit(header.time_unit) {}
 
 RecordingWriter::RecordingWriter(const std::filesystem::path& file, const RecordingHeader& header, bool force,
                                  std::span<const RecordedObstacle> obstacles)
@@ -362,10 +364,10 @@ void RecordingWriter::append(const Snapshot& snapshot, std::span<const StepRepor
         throw;
     }
 } catch (const Error& error) {
-    throw Error(
-        fmt::format("cannot record frame {} (time {} s): {}; the frames before it in '{}' stay readable",
-                    frames.size(), snapshot.time, error.what(), file().string()),
-        Fault::run);
+    throw Error(fmt::format("cannot record frame {} ({}): {}; the frames before it in '{}' stay readable",
+                            frames.size(), time_text(fmt::format("{:g}", snapshot.time), time_unit),
+                            error.what(), file().string()),
+                Fault::run);
 }
 
 void RecordingWriter::record(const Snapshot& snapshot, std::span<const StepReport> steps,
@@ -410,7 +412,7 @@ void RecordingWriter::add_modes(std::span<const RecordedMode> modes, const std::
 
 void RecordingWriter::visit_state(StateVisitor& visit) {
     auto& [output, rows, recording, frames, indexed, obstacles, places, supports, gauges, rest, rest_path,
-           unfractured_vertices] = *this;
+           unfractured_vertices, time_unit] = *this;
     visit(frames, places, rest, rest_path, rows);
 }
 

@@ -11,14 +11,12 @@
 #include "app/files/disk/checksum.h"
 #include "app/files/disk/pending_file.h"
 #include "app/files/program_file.h"
+#include "app/messages/number_list.h"
 #include "app/run/obstacle_track.h"
 #include "app/run/state_archive.h"
 
 namespace sherd {
 namespace {
-
-/// Settings that a resumed run may change: its duration, and the time between checkpoints.
-constexpr const char* free_keys[] = {"duration", "output.checkpoint"};
 
 /// Returns the checksum of the initial state, including all data that textures, grids and lists of edges can
 /// make vary over a sheet. Arrays of structs are left out, since the bytes between the members of a struct
@@ -51,10 +49,18 @@ std::string differences(const std::map<std::string, T>& before, const std::map<s
     return text;
 }
 
+/// Returns a setting's value for a message. Settings hold floating-point numbers with 17 digits; a message
+/// has the fewest digits that give the number back.
+std::string value_words(const std::string& value) {
+    const bool is_integer = value.find_first_not_of("+-0123456789") == std::string::npos;
+    const std::optional<double> number = is_integer ? std::nullopt : number_of(value);
+    return number ? fmt::format("{}", *number) : value;
+}
+
 std::string setting_words(const std::string& key, const std::string* before, const std::string* now) {
-    if (!before) return fmt::format("{} = {} has been added", key, *now);
-    if (!now) return fmt::format("{} = {} has been removed", key, *before);
-    return fmt::format("{} was {} and is {}", key, *before, *now);
+    if (!before) return fmt::format("{} = {} has been added", key, value_words(*now));
+    if (!now) return fmt::format("{} = {} has been removed", key, value_words(*before));
+    return fmt::format("{} was {} and is {}", key, value_words(*before), value_words(*now));
 }
 
 constexpr std::string_view magic = "sherd checkpoint 4\n";

@@ -52,6 +52,9 @@ struct Checkpoint {
     }
 };
 
+/// Settings that a resumed run may change: its duration, and the time between checkpoints.
+inline constexpr std::array<const char*, 2> free_keys = {"duration", "output.checkpoint"};
+
 /// Returns the two files beside a recording, RECORDING.checkpoint-1 and RECORDING.checkpoint-2, to which its
 /// checkpoints are written in turn.
 std::array<std::filesystem::path, 2> checkpoint_files(const std::filesystem::path& recording);

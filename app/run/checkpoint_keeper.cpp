@@ -62,11 +62,13 @@ void CheckpointKeeper::require_same_run(const Checkpoint& checkpoint) const {
     if (!why.empty())
         throw Error(
             fmt::format("the run cannot be resumed, since its results would differ:\n"
-                        "{}only duration may differ; --force instead of --resume starts again",
-                        why));
+                        "{}only {} may differ; --force instead of --resume starts again",
+                        why, fmt::join(free_keys, " and ")));
     if (parts.runner.end_time() < checkpoint.time)
-        throw Error(fmt::format("the run has reached {:g} s, past duration = {:g}; give a longer duration",
-                                checkpoint.time, scene.duration));
+        throw Error(
+            fmt::format("the last checkpoint of the run is at {:g} s, past duration = {:g}; give a longer "
+                        "duration",
+                        checkpoint.time, scene.duration));
 }
 
 }  // namespace sherd

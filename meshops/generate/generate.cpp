@@ -39,7 +39,7 @@ void require_edge_length(const GenerateOptions& options, double largest) {
 void require_delaunay(const GenerateOptions& options, const char* shape) {
     if (options.layout == Layout::delaunay) return;
     throw Error(std::string("cannot generate the mesh: there is no structured layout of a ") + shape +
-                ", only of a rectangle and a cylinder");
+                ", only of a rectangle, a cylinder and a sector of a revolution");
 }
 
 /// Returns the number of vertices to add to `boundary` vertices so that triangles with edges of `edge_length`

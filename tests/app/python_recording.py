@@ -127,7 +127,7 @@ class Recordings(unittest.TestCase):
 
     def test_what_cannot_be_recorded_is_said(self):
         simulation = sherd.Simulation(sherd.Scene(SCENE, set={"duration": DURATION}))
-        with self.assertRaisesRegex(sherd.Error, "exists"):
+        with self.assertRaisesRegex(sherd.Error, "exists; name another file, or pass force=True to replace it"):
             with sherd.record(simulation, self.ours):
                 self.fail("it is there")
         with sherd.record(simulation, self.file("once.h5")):

@@ -28,7 +28,7 @@ def scene():
     """Returns a scene with all kinds of tables; KEYS: places for keys that make the program report problems."""
     keys = "{ time = 0, rotate = { KEYS }, KEYS }"
     pin = f"{{ boundary = true, keys = [{keys}], KEYS }}"
-    lines = ["KEYS", "output = { KEYS }", "contact = { KEYS }", "solver = { damping = { KEYS }, KEYS }", "gauge = [{ KEYS }]", "[force]", "KEYS",
+    lines = ["KEYS", "variant = [{ KEYS }]", "output = { KEYS }", "contact = { KEYS }", "solver = { damping = { KEYS }, KEYS }", "gauge = [{ KEYS }]", "[force]", "KEYS",
              "load = [{ point = [0, 0, 1], boundary = true, KEYS }]", "wind = [{ gust = { KEYS }, KEYS }]"]
     for i, mesh in enumerate(MESHES):
         score, chart, axis = SCORES[i % len(SCORES)], MAPS[i % len(MAPS)], AXES[i % len(AXES)]
@@ -62,7 +62,7 @@ def known_keys(sherd):
     for place, what in told(sherd, "zzz = 0"):
         if match := re.match(r"unknown key; .*known here: (.*)", what):
             keys |= {place.removesuffix("zzz") + key for key in match[1].split(", ")}
-    return keys
+    return keys - {f"variant.{key}" for key in keys if "." not in key}  # a variant may have all keys of the scene
 
 
 def defaults(sherd, names):

@@ -45,7 +45,22 @@ damping.mass = 0.1
 [output]
 every = 0.01
 fields = ["stress"]
+[[variant]]
+name = "spun"
+sheet.plate.spin = [0, 0, 1]
+[[variant]]
+name = "lengthened"
+[variant.sheet.plate.mesh]
+edge_length = 0.03
 """
+
+FLOOR = """[obstacle.floor]
+plane = { point = [0, 0, 0], normal = [0, 0, 1] }
+friction = 0.3
+"""
+
+# Scenes that are right.
+RIGHT = [GOOD, "obstacle = {}\n" + GOOD.replace(FLOOR, "")]
 
 # Replacements (old, new) that make the form of GOOD wrong.
 WRONG = [
@@ -79,6 +94,7 @@ WRONG = [
     ("weibull = 10", 'score = { line = [[0, 0, 0]], factor = 0.5 }'),
     ("weibull = 10", 'score = { line = [[0, 0, 0], [1, 0, 0]] }'),
     ("boundary = true", 'boundary = "yes"'),
+    ("boundary = true", "box = [[0, 0, 0], [1, 1, 1], [2, 2, 2]]"),
     ("boundary = true", 'boundary = true\nfree = ["w"]'),
     ("boundary = true", "boundary = true\nkeys = [{ translate = [0, 0, 1] }]"),
     ("plane = { point", "plane = { pont"),
@@ -91,13 +107,25 @@ WRONG = [
     ("pressure = 10", "pressure = [10]"),
     ("amplitude = 1, ", ""),
     ('name = "rim"', ""),
+    ('name = "rim"', 'name = "the rim"'),
     ('"stress"]\n[solver]', '"strain"]\n[solver]'),
+    ('"stress"]\n[solver]', '"displacement"]\n[solver]'),
     ('scheme = "bdf2"', 'scheme = "midpoint"'),
     ('scheme = "bdf2"', 'adaptive = true'),
     ('scheme = "bdf2"', 'max_iterations = 0'),
     ("step = 1e-4", "step = 0"),
     ("damping.mass = 0.1", "damping = 0.1"),
     ('fields = ["stress"]', 'fields = ["strain"]'),
+    ('fields = ["stress"]', 'fields = ["stress", "stress"]'),
+    ('preset = "stoneware"', 'preset = "stonewear"'),
+    ("radius = 0.1, ", "radius = 0.1, structured = true, "),
+    ('name = "spun"', ""),
+    ('name = "spun"', 'nme = "spun"'),
+    ('name = "spun"', 'name = "spun fast"'),
+    ('name = "spun"', 'name = "-spun"'),
+    ('name = "spun"', 'name = "spun"\nsolver.adaptive = true'),
+    ('name = "spun"', 'name = "spun"\nvariant.name = "more"'),
+    ("edge_length = 0.03", "edge_lenght = 0.03"),
 ]
 
 
@@ -120,7 +148,8 @@ def main(sherd, scenes):
             file.write_text(text, encoding="utf-8")
             return subprocess.run([sherd, "check", str(file)], capture_output=True, text=True, check=False)
 
-        assert not faults(GOOD) and check(GOOD).returncode == 0, (faults(GOOD), check(GOOD).stderr)
+        for text in RIGHT:
+            assert not faults(text) and check(text).returncode == 0, (faults(text), check(text).stderr)
         for old, new in WRONG:
             assert old in GOOD, old
             text = GOOD.replace(old, new, 1)

@@ -293,23 +293,47 @@ Scene scene_from(Scene scene, const std::optional<Checkpoint>& checkpoint) {
     return scene;
 }
 
-void report_nothing_left(const std::filesystem::path& file, double time, const std::string& unit) {
-    print_message("sherd: '{}' has reached {:g} {}: nothing is left to do\n", file.string(), time, unit);
+/// A time of a run of this scene, with its unit.
+std::string moment_words(double time, const Scene& scene) {
+    return time_text(fmt::format("{:g}", time), scene.time_unit());
 }
 
-/// Reports that a run is resumed, and prepares its recording; or reports that nothing is left to do. Returns
-/// whether the run is resumed.
+/// Reports that a complete run, which ended at `time`, is not continued.
+void report_nothing_left(const std::filesystem::path& file, double time, const Scene& scene) {
+    print_message("sherd: '{}' has reached {}: nothing is left to do\n", file.string(),
+                  moment_words(time, scene));
+}
+
+/// Words about the frames that a killed run has recorded after its last checkpoint, which is at `time`; empty
+/// if there are none. fate: what becomes of these frames.
+std::string later_frame_words(const Recording& recording, double time, const Scene& scene, const char* fate) {
+    const std::size_t count = recording.frame_count();
+    if (count == 0 || recording.time(count - 1) <= time) return "";
+    return fmt::format("; frames beyond it, up to {}, {}", moment_words(recording.time(count - 1), scene),
+                       fate);
+}
+
+/// Reports that a run is resumed from its checkpoint, and removes later frames from its recording; or reports
+/// that nothing is left to do, and changes nothing. Returns whether the run is resumed.
 bool goes_on(const std::filesystem::path& file, const Runner& runner, const EndAt& end,
              RunRecorder& recorder) {
+    const Scene& scene = runner.scene();
     const double now = runner.simulation().time();
-    const std::string unit = runner.scene().time_unit();
-    const bool all = runner.is_complete() && Recording(file).end() == "complete";
-    if (all || end.has_come(now)) {
-        report_nothing_left(file, now, unit);
+    const Recording recording(file);
+    if (runner.is_complete() && recording.end() == "complete") {
+        report_nothing_left(file, now, scene);
         return false;
     }
-    print_message("sherd: '{}' is resumed at {:g} {}\n", file.string(), now, unit);
-    recorder.resume(runner.scene());
+    if (end.has_come(now)) {
+        print_message(
+            "sherd: the last checkpoint of '{}' is at {}, not before --until: nothing is left to do{}\n",
+            file.string(), moment_words(now, scene),
+            later_frame_words(recording, now, scene, "will be made again when the run is resumed"));
+        return false;
+    }
+    print_message("sherd: '{}' is resumed at {}, its last checkpoint{}\n", file.string(),
+                  moment_words(now, scene), later_frame_words(recording, now, scene, "are made again"));
+    recorder.resume(scene);
     return true;
 }
 
@@ -319,7 +343,7 @@ int run(const Scene& scene, const std::filesystem::path& file, const RunOptions&
     Runner runner = built_runner(scene_from(scene, start.checkpoint), threads_of_run(options.threads, 1));
     if (start.is_finished) {
         require_whole(file, runner.scene(), runner.end_time());
-        report_nothing_left(file, runner.end_time(), scene.time_unit());
+        report_nothing_left(file, runner.end_time(), scene);
         return 0;
     }
     const Simulation& simulation = runner.simulation();
@@ -344,7 +368,7 @@ int run(const Scene& scene, const std::filesystem::path& file, const RunOptions&
                                    end.wall_seconds - seconds_before));
     if (end.is_complete() || end_at.has_come(simulation.time())) return 0;
     print_message("sherd: interrupted; '{}' has the run up to {}; --resume continues it\n", file.string(),
-                  time_text(fmt::format("{:g}", simulation.time()), scene.time_unit()));
+                  moment_words(simulation.time(), scene));
     return interruption_exit_code();
 }
 
@@ -374,8 +398,9 @@ void add_run(CLI::App& program, Command& chosen) {
                         "scene's name. With several variants NAME.h5 becomes NAME-VARIANT.h5 for each; any "
                         "other name is a folder for them");
     command->add_flag("--force", options->force, "Replace a recording that exists");
-    command->add_flag("--resume", options->resume,
-                      "Continue from the last checkpoint; only duration may differ");
+    command->add_flag(
+        "--resume", options->resume,
+        fmt::format("Continue from the last checkpoint; only {} may differ", fmt::join(free_keys, " and ")));
     command
         ->add_option("--until", options->until, "End at this simulated time; --resume continues from there")
         ->check(positive_number())

@@ -70,8 +70,8 @@ void PendingFile::publish_durably() {
     sync_folder_of(target);
 }
 
-void check_free(const std::filesystem::path& file, bool force,
-                const std::vector<std::filesystem::path>& read) {
+void check_free(const std::filesystem::path& file, bool force, const std::vector<std::filesystem::path>& read,
+                std::string_view permission) {
     std::error_code unreadable;  // errors are reported when the file is created
     for (const std::filesystem::path& input : read)
         if (std::filesystem::equivalent(file, input, unreadable))
@@ -82,15 +82,17 @@ void check_free(const std::filesystem::path& file, bool force,
     if (!std::filesystem::is_regular_file(status))
         throw Error(fmt::format("'{}' exists and is not an ordinary file; name another one", file.string()));
     if (!force)
-        throw Error(
-            fmt::format("'{}' exists; name another file, or pass --force to replace it", file.string()));
+        throw Error(fmt::format("'{}' exists; name another file, or pass {} to replace it", file.string(),
+                                permission));
 }
 
 void require_kind(const std::filesystem::path& file, std::string_view extension, std::string_view advice) {
     const std::string ending = lower_case(file.extension().string());
     for (const std::string_view kind :
-         {".h5",   ".xdmf", ".obj", ".ply",  ".stl", ".off", ".vtp", ".pvd", ".pc2", ".mdd",  ".glb",
-          ".gltf", ".vdb",  ".csv", ".json", ".svg", ".pdf", ".png", ".jpg", ".mp4", ".html", ".toml"})
+         {".h5",  ".xdmf", ".obj",  ".ply", ".stl", ".off",  ".vtp",  ".pvd",  ".pc2",
+          ".mdd", ".glb",  ".gltf", ".vdb", ".csv", ".json", ".svg",  ".pdf",  ".eps",
+          ".png", ".jpg",  ".jpeg", ".gif", ".bmp", ".tif",  ".tiff", ".webp", ".ppm",
+          ".exr", ".mp4",  ".m4v",  ".mov", ".avi", ".mkv",  ".webm", ".html", ".toml"})
         if (ending == kind && ending != extension)
             throw Error(fmt::format("-o {}: {}", file.string(), advice));
 }

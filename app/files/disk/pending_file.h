@@ -51,9 +51,10 @@ class PendingFile {
 };
 
 /// Throws Error (input) if `file` exists and `force` is false. Even if `force` is true, throws if `file`
-/// exists and is no ordinary file, or is one of `read`, the files that the command reads.
+/// exists and is no ordinary file, or is one of `read`, the files that the command reads. permission: what
+/// sets `force`, for the message.
 void check_free(const std::filesystem::path& file, bool force,
-                const std::vector<std::filesystem::path>& read = {});
+                const std::vector<std::filesystem::path>& read = {}, std::string_view permission = "--force");
 
 /// The user has named `file` as output of a command that writes files with this `extension`. Throws Error
 /// (input) with `advice`, which says what to name instead, if `file` ends with the extension of another known

@@ -56,6 +56,14 @@ void read_section(TomlTable& table, const Section<Struct>& section, Struct& into
     table.finish();
 }
 
+/// Reports the keys of a table that its section does not have. It does not read the others.
+template <class Struct>
+void report_unknown_keys(TomlTable& table, const Section<Struct>& section) {
+    for (const Key<Struct>& key : section.keys)
+        if (key.info.forms != Form{}) table.has(key.info.name);
+    table.finish();
+}
+
 template <class Struct>
 SectionText text_of(const Section<Struct>& section) {
     const Struct defaults{};
@@ -64,6 +72,8 @@ SectionText text_of(const Section<Struct>& section) {
         if (info.forms != Form{})
             text.keys.push_back({info, fallback != nullptr ? fallback(info, defaults) : "",
                                  inside != nullptr ? inside() : std::vector<SectionText>()});
+        else if (!info.rules.retired.instead.empty())
+            text.retired.push_back({info.name, info.rules.retired.instead});
     return text;
 }
 

@@ -26,8 +26,13 @@ enum class Form : unsigned {
     lists_of_rows = 1024,
     table = 2048,
     tables = 4096,  ///< an array of tables
-    named = 8192    ///< a table of tables with names that the user chooses
+    named = 8192,   ///< a table of tables with names that the user chooses
+    name = 16384    ///< a text of name_characters, which does not begin with -
 };
+/// Characters of names that become a part of the name of a file or a group.
+inline constexpr std::string_view name_characters =
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
+
 constexpr Form operator|(Form a, Form b) {
     return static_cast<Form>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
 }
@@ -54,6 +59,7 @@ struct KeyRules {
     std::array<std::string_view, 5> excludes = {};  ///< keys of the same table that conflict with it
     std::size_t least_rows = 1, columns = 2;        ///< least number of rows of an array, and number of
                                                     ///< columns
+    std::size_t most_rows = 0;                      ///< largest number of rows; 0: any
     Retired retired = {};
 };
 
@@ -78,6 +84,7 @@ struct KeyText {
 struct SectionText {
     std::string_view title;
     std::vector<KeyText> keys;
+    std::vector<Retired> retired = {};  ///< keys of earlier versions
 };
 
 }  // namespace sherd

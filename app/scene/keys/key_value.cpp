@@ -21,6 +21,15 @@ void read_integer(TomlTable& table, const KeyInfo& key, Integer& value) {
     value = static_cast<Integer>(table.integer(key.name, least, most, value));
 }
 
+/// Returns a number as TOML. A large one has an exponent, so that nobody has to count its zeros: 3e10.
+std::string toml_number(double value) {
+    if (std::abs(value) < 1e6) return fmt::format("{}", value);
+    double digits = value;
+    int exponent = 0;
+    for (; std::fmod(digits, 10) == 0; ++exponent) digits /= 10;
+    return exponent < 3 ? fmt::format("{}", value) : fmt::format("{}e{}", digits, exponent);
+}
+
 template <class Vector>
 std::string array_text(const Vector& value) {
     return value.allFinite() ? fmt::format("[{}]", fmt::join(value, ", ")) : "";
@@ -71,7 +80,7 @@ void read_value(TomlTable& table, const KeyInfo& key, Eigen::Vector2d& value) {
 }
 
 std::string as_toml(const KeyInfo& /*key*/, double value) {
-    return std::isfinite(value) ? fmt::format("{}", value) : "";
+    return std::isfinite(value) ? toml_number(value) : "";
 }
 std::string as_toml(const KeyInfo& key, bool value) {
     if (!key.rules.choices.empty()) return as_toml(key, std::string(key.rules.choices[value ? 0 : 1]));

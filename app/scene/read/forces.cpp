@@ -43,15 +43,21 @@ void complete_load(TomlTable& table, LoadSpec& load) {
 constexpr KeyRules some_sheet{.what = "the name of a sheet", .otherwise = "all"};
 
 constexpr std::array size_keys{
-    special_key("point", Form::vector, "force on each vertex of the selection", {.unit = "N"}, read_force),
-    special_key("line", Form::vector,
-                "force per length at rest, on edges of the boundary with both ends in the selection",
-                {.unit = "N/m"}, read_force),
-    special_key("area", Form::vector,
-                "force per area at rest, on faces with all vertices in the selection; keeps its direction",
-                {.unit = "N/m^2"}, read_force),
+    special_key("point", Form::vector, "force on each vertex of the selection, which it needs", {.unit = "N"},
+                read_force),
+    special_key(
+        "line", Form::vector,
+        "force per length at rest, on edges of the boundary with both ends in the selection; without a "
+        "selection the load acts on the whole boundary",
+        {.unit = "N/m"}, read_force),
+    special_key(
+        "area", Form::vector,
+        "force per area at rest, on faces with all vertices in the selection; without a selection the "
+        "load acts on the whole sheet; keeps its direction",
+        {.unit = "N/m^2"}, read_force),
     special_key("pressure", Form::number,
-                "pressure along the current normals of faces with all vertices in the selection",
+                "pressure along the current normals of faces with all vertices in the selection; without a "
+                "selection the load acts on the whole sheet",
                 {.unit = "Pa"}, read_amount<&LoadSpec::pressure>),
     special_key("moment", Form::number, "moment per length at rest, on edges of the boundary, as for `line`",
                 {.unit = "N m/m"}, read_amount<&LoadSpec::moment>)};

@@ -11,6 +11,10 @@ namespace {
 
 constexpr std::array<std::string_view, 4> readings{"displacement", "stress", "curvature", "membrane_strain"};
 
+void read_name(TomlTable& table, const KeyInfo& key, GaugeSpec& gauge) {
+    gauge.name = table.string(key.name, key.rules.what);
+}
+
 void read_record(TomlTable& table, const KeyInfo& key, GaugeSpec& gauge) {
     if (!table.has(key.name)) return;
     const std::vector<std::string> wanted = table.choices(key.name, key.rules.choices);
@@ -23,9 +27,9 @@ void complete_gauge(TomlTable& table, GaugeSpec& gauge) {
 }
 
 constexpr std::array gauge_keys{
-    key<&GaugeSpec::name>("name",
-                          "name of the gauge and of its group in the recording: letters, digits, `_` and `-`",
-                          {.what = "the name of the gauge", .required = true}),
+    special_key("name", Form::name,
+                "name of the gauge and of its group in the recording: letters, digits, `_` and `-`",
+                {.what = "the name of the gauge", .required = true}, read_name),
     key<&GaugeSpec::at>(
         "at",
         "place of the gauge; the nearest point of the placed sheets is taken, up to an edge length away",

@@ -219,4 +219,11 @@ constexpr auto obstacle_keys = joined(
 constinit const Section<ObstacleSpec> obstacle_section{"An obstacle, which sheets cannot pass through",
                                                        obstacle_keys, complete_obstacle};
 
+bool has_shape(TomlTable& table) {
+    bool found = false;
+    // Each key is asked for, so that messages list the keys in their order.
+    for (const Key<ObstacleSpec>& key : solid_keys) found |= table.has(key.info.name);
+    return found;
+}
+
 }  // namespace sherd

@@ -8,4 +8,7 @@ namespace sherd {
 
 extern const Section<ObstacleSpec> obstacle_section;  ///< `[obstacle.NAME]`
 
+/// Whether the table of an obstacle has a key that gives its shape.
+bool has_shape(TomlTable& table);
+
 }  // namespace sherd

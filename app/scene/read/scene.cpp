@@ -7,9 +7,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/messages/nearest_name.h"
@@ -22,6 +25,7 @@
 #include "app/scene/read/sheet/sheet.h"
 #include "app/scene/read/solver.h"
 #include "app/scene/read/statics.h"
+#include "app/scene/read/variant_remarks.h"
 #include "app/scene/toml/override.h"
 #include "app/scene/toml/settings.h"
 #include "app/scene/toml/toml_file.h"
@@ -31,49 +35,40 @@
 namespace sherd {
 namespace {
 
-constexpr std::string_view name_characters =
-    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
-
-/// Returns the value of the key `name` in a table. Reports a name that has characters other than letters,
-/// digits, _ and -, that begins with -, or that is among the `earlier` ones. noun: word for what the table
-/// describes, "variant"; reason: why characters are limited, "names a group of the recording".
-std::string read_plain_name(TomlTable& table, std::string_view noun, std::string_view reason,
-                            const std::vector<std::string>& earlier) {
-    std::string name = table.string("name", fmt::format("the name of the {}", noun));
+/// Reports the name of a table if it has characters other than letters, digits, _ and -, if it begins with -,
+/// or if it is among the `earlier` ones. noun: word for what the table describes, "variant"; reason: why
+/// characters are limited, "names a group of the recording".
+void check_plain_name(TomlTable& table, const std::string& name, std::string_view noun,
+                      std::string_view reason, const std::vector<std::string>& earlier) {
     if (name.find_first_not_of(name_characters) != std::string::npos || name.starts_with('-'))
         table.report("name", fmt::format("{}: write it in letters, digits, _ and -", reason));
     if (std::find(earlier.begin(), earlier.end(), name) != earlier.end() && !name.empty())
         table.report("name", fmt::format("\"{}\" is the name of another {} already", name, noun));
-    return name;
 }
 
-/// Returns the names of the `[[variant]]`s of a scene, in the order of the file. Reports a name that is
-/// missing, that cannot be part of a file's name, or that another variant has.
-std::vector<std::string> read_variant_names(TomlTable& root) {
-    std::vector<std::string> names;
-    for (TomlTable& variant : root.tables("variant")) {
-        const std::string name =
-            read_plain_name(variant, "variant", "becomes a part of a file's name", names);
-        names.push_back(name);
+using NamedTables = std::vector<std::pair<std::string, TomlTable>>;
+
+/// Returns the tables in `all`, the sheets or the obstacles of a scene, with their names. A table that
+/// `is_whole` does not accept and whose name is similar to that of a whole one is reported and left out,
+/// since its keys are most likely meant for that one. lack: what such a table lacks, "no mesh".
+template <class Struct>
+NamedTables without_misspelt(TomlTable& all, const Section<Struct>& section, bool (*is_whole)(TomlTable&),
+                             std::string_view lack) {
+    NamedTables kept;
+    std::vector<std::string> whole;
+    NamedTables entries = all.entries();
+    for (auto& [name, table] : entries)
+        if (is_whole(table)) whole.push_back(name);
+    for (auto& [name, table] : entries) {
+        const std::string nearest = is_whole(table) ? "" : nearest_name(name, whole);
+        if (nearest.empty()) {
+            kept.emplace_back(name, std::move(table));
+            continue;
+        }
+        table.report("", fmt::format("has {}; did you mean '{}'?", lack, nearest));
+        report_unknown_keys(table, section);
     }
-    return names;
-}
-
-/// Removes all variants from `scene`, and puts the keys of the variant `name`, if there is one, into it by
-/// merge_keys().
-void apply_variant(toml::table& scene, const std::string& name) {
-    const toml::node_view<toml::node> variants = scene["variant"];
-    std::vector<toml::table*> candidates;
-    if (toml::table* only = variants.as_table()) candidates.push_back(only);
-    if (toml::array* array = variants.as_array())
-        for (toml::node& node : *array)
-            if (toml::table* table = node.as_table()) candidates.push_back(table);
-    toml::table changes;
-    for (toml::table* candidate : candidates)
-        if ((*candidate)["name"].value_or(std::string()) == name) changes = std::move(*candidate);
-    changes.erase("name");
-    scene.erase("variant");
-    merge_keys(scene, std::move(changes));
+    return kept;
 }
 
 constexpr double most_steps = 1e9;  // more steps would take decades: the step is most likely mistyped
@@ -111,11 +106,11 @@ void read_every(TomlTable& output, const KeyInfo& key, Scene& scene) {
 
 void read_output_fields(TomlTable& output, const KeyInfo& key, Scene& scene) {
     if (!output.has(key.name)) return;
-    if (output.is_array(key.name) || output.is_string(key.name)) {
-        scene.simulation.fields = chosen_fields(output.choices(key.name, key.rules.choices));
-    } else {
+    if (output.is_flag(key.name)) {
         const bool all = output.flag(key.name, false);
         scene.simulation.fields = {.stress = all, .curvature = all, .membrane_strain = all};
+    } else {
+        scene.simulation.fields = chosen_fields(output.choices(key.name, key.rules.choices, true));
     }
 }
 
@@ -132,7 +127,9 @@ constexpr Section<Scene> output_section{"Recording", output_keys};
 
 void read_sheets(TomlTable& root, const KeyInfo& key, Scene& scene) {
     if (auto sheets = root.table(key.name)) {
-        for (auto& [name, table] : sheets->entries()) {
+        const auto is_whole = [](TomlTable& table) { return table.has("mesh") || table.has("material"); };
+        for (auto& [name, table] :
+             without_misspelt(*sheets, sheet_section, is_whole, "no mesh and no material")) {
             SheetSpec& sheet = scene.sheets.emplace_back();
             sheet.name = name;
             read_section(table, sheet_section, sheet);
@@ -147,7 +144,7 @@ void read_sheets(TomlTable& root, const KeyInfo& key, Scene& scene) {
 void read_obstacles(TomlTable& root, const KeyInfo& key, Scene& scene) {
     auto obstacles = root.table(key.name);
     if (!obstacles) return;
-    for (auto& [name, table] : obstacles->entries()) {
+    for (auto& [name, table] : without_misspelt(*obstacles, obstacle_section, has_shape, "no shape")) {
         ObstacleSpec obstacle;
         obstacle.name = name;
         read_section(table, obstacle_section, obstacle);
@@ -160,6 +157,25 @@ void refuse_variant(TomlTable& root, const KeyInfo& key, Scene& /*scene*/) {
         root.report(key.name,
                     "belongs at the top level of the scene: a variant cannot contain variants, and --set "
                     "cannot add one");
+}
+
+struct Variant {
+    std::string name;
+};
+
+void read_variant_name(TomlTable& table, const KeyInfo& key, Variant& variant) {
+    variant.name = table.string(key.name, key.rules.what);
+}
+
+constexpr std::array variant_keys{
+    special_key("name", Form::name,
+                "name of the variant, which becomes a part of a file's name: letters, digits, `_` and `-`",
+                {.what = "the name of the variant", .required = true}, read_variant_name)};
+constexpr Section<Variant> variant_section{"A variant: its name, and the keys of the scene that it changes",
+                                           variant_keys};
+
+std::vector<SectionText> inside_variant() {
+    return {text_of(variant_section)};
 }
 
 constexpr Range seeds{
@@ -182,8 +198,8 @@ constexpr std::array scene_keys{
     part_key<force_section>("force", "gravity, loads and wind"),
     table_key<gauge_section, &Scene::gauges>("gauge", "points at which quantities are measured",
                                              {.otherwise = "none"}),
-    special_key("variant", Form::table | Form::tables, "other versions of the scene", {.otherwise = "none"},
-                refuse_variant)};
+    special_key(variant_key, Form::table | Form::tables, "other versions of the scene", {.otherwise = "none"},
+                refuse_variant, inside_variant)};
 
 void require_few_steps(const Scene& scene, TomlTable& table, const char* key, const char* advice) {
     const double steps = scene.duration / scene.simulation.stepper.step;
@@ -249,7 +265,8 @@ void complete_gauges(TomlTable& root, const Scene& scene) {
     for (std::size_t i = 0; i < tables.size(); ++i) {
         check_sheet_name(tables[i], scene);
         if (scene.gauges[i].name.empty()) continue;  // the missing name has been reported
-        names.push_back(read_plain_name(tables[i], "gauge", "names a group of the recording", names));
+        check_plain_name(tables[i], scene.gauges[i].name, "gauge", "names a group of the recording", names);
+        names.push_back(scene.gauges[i].name);
     }
 }
 
@@ -262,17 +279,84 @@ void complete_scene(TomlTable& root, Scene& scene) {
 
 constexpr Section<Scene> scene_section{"The scene", scene_keys, complete_scene};
 
-void choose_variant(toml::table& document, const Scene& scene, Problems& problems) {
-    TomlTable root(document, "", problems);
-    const std::vector<std::string> names = read_variant_names(root);
-    if (!scene.variant.empty() && std::find(names.begin(), names.end(), scene.variant) == names.end()) {
-        const std::string nearest = nearest_name(scene.variant, names);
-        throw Error(fmt::format(
-            "--variant {}: {} has no variant of this name; {}{}", scene.variant, scene.file.string(),
-            nearest.empty() ? "" : fmt::format("did you mean '{}'? ", nearest),
-            names.empty() ? "it has no variants at all" : fmt::format("it has: {}", fmt::join(names, ", "))));
+bool is_scene_key(std::string_view name) {
+    return std::ranges::any_of(scene_keys, [&](const Key<Scene>& key) { return key.info.name == name; });
+}
+
+/// Returns the names of the `[[variant]]`s of a scene, in the order of the file. Reports a name that is
+/// missing, that cannot be part of a file's name, or that another variant has. Without a name, keys of the
+/// variant that are no keys of scenes are reported, too, since the name may be the value of one of them.
+std::vector<std::string> read_variant_names(TomlTable& root) {
+    std::vector<std::string> names;
+    for (TomlTable& table : root.tables(variant_key)) {
+        Variant variant;
+        read_keys(table, variant_section, variant);
+        check_plain_name(table, variant.name, "variant", "becomes a part of a file's name", names);
+        names.push_back(variant.name);
+        if (variant.name.empty()) report_unknown_keys(table, scene_section);
     }
-    apply_variant(document, scene.variant);
+    return names;
+}
+
+/// Removes from a variant its name, and keys that are no keys of scenes if read_variant_names() has reported
+/// them.
+void drop_read_keys(toml::table& variant) {
+    const bool has_name = !variant["name"].value_or(std::string()).empty();
+    variant.erase("name");
+    for (auto key = variant.begin(); key != variant.end();)
+        key = has_name || is_scene_key(key->first.str()) ? std::next(key) : variant.erase(key);
+}
+
+/// Removes all variants from `scene`, and puts the keys of the variant of this number, if there is one, into
+/// it by merge_keys().
+void apply_variant(toml::table& scene, std::optional<std::size_t> number) {
+    const toml::node_view<toml::node> variants = scene[variant_key];
+    std::vector<toml::table*> candidates;
+    if (toml::table* only = variants.as_table()) candidates.push_back(only);
+    if (toml::array* array = variants.as_array())
+        for (toml::node& node : *array)
+            if (toml::table* table = node.as_table()) candidates.push_back(table);
+    toml::table changes;
+    if (number) changes = std::move(*candidates.at(*number));
+    drop_read_keys(changes);
+    scene.erase(variant_key);
+    merge_keys(scene, std::move(changes));
+}
+
+/// Returns the number of the variant that a scene has chosen by its name; none if it has chosen none. Throws
+/// Error if there is no variant of this name.
+std::optional<std::size_t> chosen_number(const Scene& scene, const std::vector<std::string>& names,
+                                         const Problems& problems) {
+    if (scene.variant.empty()) return std::nullopt;
+    const auto found = std::find(names.begin(), names.end(), scene.variant);
+    if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+    problems.throw_if_any();  // a variant whose name is wrong may be the one that is meant
+    const std::string nearest = nearest_name(scene.variant, names);
+    throw Error(fmt::format(
+        "--variant {}: {} has no variant of this name; {}{}", scene.variant, scene.file.string(),
+        nearest.empty() ? "" : fmt::format("did you mean '{}'? ", nearest),
+        names.empty() ? "it has no variants at all" : fmt::format("it has: {}", fmt::join(names, ", "))));
+}
+
+/// Reads a scene as parse_scene() does. number: of the variant; none: the one that `choice` names.
+Scene read_variant(std::string text, const std::filesystem::path& file, const SceneChoice& choice,
+                   GivenMeshes meshes, std::optional<std::size_t> number) {
+    Scene scene;
+    scene.given_meshes = std::move(meshes);
+    scene.file = file;
+    scene.variant = choice.variant;
+    toml::table document = parse_toml(text, file);
+    scene.text = recorded_text(std::move(text), choice);
+    Problems problems;
+    TomlTable whole(document, "", problems);
+    const std::vector<std::string> names = read_variant_names(whole);
+    apply_variant(document, number ? number : chosen_number(scene, names, problems));
+    for (const std::string& assignment : choice.overrides) apply_override(document, assignment);
+    scene.settings = settings_of(document);
+    TomlTable root(document, "", problems, file.parent_path());
+    read_section(root, scene_section, scene);
+    problems.throw_if_any();
+    return scene;
 }
 
 }  // namespace
@@ -300,20 +384,29 @@ Scene read_scene(const std::filesystem::path& file, const SceneChoice& choice) {
 
 Scene parse_scene(std::string text, const std::filesystem::path& file, const SceneChoice& choice,
                   GivenMeshes meshes) {
-    Scene scene;
-    scene.given_meshes = std::move(meshes);
-    scene.file = file;
-    scene.variant = choice.variant;
-    toml::table document = parse_toml(text, file);
-    scene.text = recorded_text(std::move(text), choice);
-    Problems problems;
-    choose_variant(document, scene, problems);
-    for (const std::string& assignment : choice.overrides) apply_override(document, assignment);
-    scene.settings = settings_of(document);
-    TomlTable root(document, "", problems, file.parent_path());
-    read_section(root, scene_section, scene);
-    problems.throw_if_any();
-    return scene;
+    return read_variant(std::move(text), file, choice, std::move(meshes), std::nullopt);
+}
+
+std::vector<Scene> parse_scenes(const std::string& text, const std::filesystem::path& file,
+                                const SceneChoice& choice) {
+    const toml::table document = parse_toml(text, file);
+    Problems told_with_each_scene;
+    TomlTable root(document, "", told_with_each_scene);
+    const std::vector<std::string> names = read_variant_names(root);
+    if (names.empty() || !choice.variant.empty()) return {parse_scene(text, file, choice)};
+    std::vector<Scene> scenes;
+    VariantRemarks mistakes;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const std::string name = names[i].empty() ? fmt::format("number {}", i + 1) : names[i];
+        try {
+            scenes.push_back(read_variant(text, file, {choice.overrides, names[i]}, {}, i));
+            mistakes.add(name, "");
+        } catch (const Error& error) {
+            mistakes.add(name, error.what());
+        }
+    }
+    mistakes.throw_if_any();
+    return scenes;
 }
 
 }  // namespace sherd

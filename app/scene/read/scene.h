@@ -10,6 +10,9 @@
 
 namespace sherd {
 
+/// Key of the variants of a scene.
+inline constexpr const char* variant_key = "variant";
+
 /// Returns the names of the variants in a scene's text, in the order of the text; empty if it has none. file:
 /// for errors. Throws Error like read_scene() if a name is missing or invalid.
 std::vector<std::string> variant_names(const std::string& text, const std::filesystem::path& file);
@@ -28,6 +31,12 @@ Scene read_scene(const std::filesystem::path& file, const SceneChoice& choice = 
 /// and as the base of relative file names; meshes: meshes that sheets may name by `given`.
 Scene parse_scene(std::string text, const std::filesystem::path& file, const SceneChoice& choice = {},
                   GivenMeshes meshes = {});
+
+/// Reads and checks the text of a scene, like parse_scene(), with each of its variants in turn. Returns a
+/// single scene if the scene has no variants or `choice` names one. Throws Error with the mistakes of all
+/// variants, even if one of them has no valid name.
+std::vector<Scene> parse_scenes(const std::string& text, const std::filesystem::path& file,
+                                const SceneChoice& choice);
 
 /// Returns the documentation of all keys of scenes, as a tree that begins at the root table.
 SectionText scene_reference();

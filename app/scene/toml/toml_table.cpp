@@ -37,11 +37,19 @@ std::string_view type_name(const toml::node& node) {
     }
 }
 
+/// Returns a number that is written with a point or an exponent. A small whole number keeps its point, as it
+/// may be the point for which the number is refused.
+std::string told_float(double value) {
+    const bool is_small_whole = std::abs(value) < 1e6 && value == std::round(value);
+    return is_small_whole ? fmt::format("{:.1f}", value) : fmt::format("{}", value);
+}
+
 /// Returns the value of a node for messages, or its type if the value may be long.
 std::string told(const toml::node& node) {
     if (const auto* text = node.as_string()) return fmt::format("the string \"{}\"", text->get());
-    if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
+    if (const auto* number = node.as_floating_point()) return told_float(number->get());
     if (const auto* number = node.as_integer()) return fmt::format("{}", number->get());
+    if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
     if (const auto* array = node.as_array()) return fmt::format("an array of {}", array->size());
     return std::string(type_name(node));
 }
@@ -69,6 +77,30 @@ std::string with_unit(std::string_view words, std::string_view unit) {
     return unit.empty() ? std::string(words) : fmt::format("{} ({})", words, unit);
 }
 
+/// Returns "an array of at least 2 arrays of 3 finite numbers" and the like.
+std::string row_words(std::size_t least, std::size_t columns, std::size_t most) {
+    return fmt::format("an array of {}{} arrays of {} finite numbers", least == most ? "" : "at least ",
+                       least, columns);
+}
+
+/// Returns the element of `names` that is nearest to a word; empty if none is similar.
+std::string nearest_word(const std::string& word, std::span<const std::string_view> names) {
+    const std::vector<std::string> known(names.begin(), names.end());
+    return word.empty() ? "" : nearest_name(word, known);
+}
+
+/// Returns the question whether one of `names` was meant by a word; empty if none is similar.
+std::string suggestion(const std::string& word, std::span<const std::string_view> names) {
+    const std::string nearest = nearest_word(word, names);
+    return nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest);
+}
+
+/// Returns the question whether an array with one of `names` was meant by a word; empty if none is similar.
+std::string suggested_array(const std::string& word, std::span<const std::string_view> names) {
+    const std::string nearest = nearest_word(word, names);
+    return nearest.empty() ? "" : fmt::format("; did you mean [\"{}\"]?", nearest);
+}
+
 std::string left_out(double fallback) {
     return std::isfinite(fallback) ? fmt::format("; left out, it is {}", fallback) : "";
 }
@@ -82,7 +114,9 @@ std::string place_of(const toml::source_region& source) {
 
 void Problems::add(const toml::source_region& source, std::string_view key, const std::string& what) {
     const bool overridden = source.path && is_override(*source.path);
-    problems.push_back({overridden, source.begin, fmt::format("{}: {}: {}", place_of(source), key, what)});
+    const std::string line = fmt::format("{}: {}: {}", place_of(source), key, what);
+    const bool is_known = std::ranges::any_of(problems, [&](const Problem& p) { return p.line == line; });
+    if (!is_known) problems.push_back({overridden, source.begin, line});
 }
 
 void Problems::throw_if_any() const {
@@ -149,10 +183,7 @@ std::string TomlTable::choice(std::string_view key, std::span<const std::string_
     const toml::node* node = find(key);
     std::string value = node && node->is_string() ? node->as_string()->get() : "";
     if (std::find(names.begin(), names.end(), value) != names.end()) return value;
-    const std::vector<std::string> known_names(names.begin(), names.end());
-    const std::string nearest = value.empty() ? "" : nearest_name(value, known_names);
-    const std::string hint = nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest);
-    reject(key, fmt::format("one of \"{}\"", fmt::join(names, "\", \"")), hint);
+    reject(key, fmt::format("one of \"{}\"", fmt::join(names, "\", \"")), suggestion(value, names));
     return {};
 }
 
@@ -195,26 +226,35 @@ Eigen::Vector2d TomlTable::pair(std::string_view key, std::string_view unit, con
     return Eigen::Vector2d::Constant(not_a_number);
 }
 
-std::vector<std::string> TomlTable::choices(std::string_view key, std::span<const std::string_view> names) {
+std::vector<std::string> TomlTable::choices(std::string_view key, std::span<const std::string_view> names,
+                                            bool or_flag) {
     const toml::node* node = find(key);
     const toml::array* array = node ? node->as_array() : nullptr;
+    const std::string wanted = fmt::format("an array of one or more of \"{}\", each once{}",
+                                           fmt::join(names, "\", \""), or_flag ? ", or true or false" : "");
+    if (!array || array->empty()) {
+        const std::string word = node ? node->value_or(std::string()) : "";
+        reject(key, wanted, suggested_array(word, names));
+        return {};
+    }
     std::vector<std::string> chosen;
-    bool good = array && !array->empty();
-    for (std::size_t i = 0; good && i < array->size(); ++i) {
-        const std::string value = array->get(i)->value_or(std::string());
-        good = std::find(names.begin(), names.end(), value) != names.end() &&
-               std::find(chosen.begin(), chosen.end(), value) == chosen.end();
+    for (const toml::node& item : *array) {
+        const std::string value = item.value_or(std::string());
+        const bool is_known = std::ranges::find(names, value) != names.end();
+        if (!is_known || std::ranges::find(chosen, value) != chosen.end()) {
+            report(key, fmt::format("must be {}, not an array with {}{}", wanted, told(item),
+                                    is_known ? " twice" : suggestion(value, names)));
+            return {};
+        }
         chosen.push_back(value);
     }
-    if (good) return chosen;
-    reject(key, fmt::format("an array of one or more of \"{}\", each once", fmt::join(names, "\", \"")));
-    return {};
+    return chosen;
 }
 
 std::optional<std::vector<Eigen::VectorXd>> TomlTable::rows(const toml::node& node, std::size_t least,
-                                                            std::size_t columns) const {
+                                                            std::size_t columns, std::size_t most) const {
     const toml::array* array = node.as_array();
-    if (!array || array->size() < least) return std::nullopt;
+    if (!array || array->size() < least || (most > 0 && array->size() > most)) return std::nullopt;
     std::vector<Eigen::VectorXd> result;
     for (const toml::node& item : *array) {
         const std::optional<Eigen::VectorXd> row = numbers(item);
@@ -225,12 +265,12 @@ std::optional<std::vector<Eigen::VectorXd>> TomlTable::rows(const toml::node& no
 }
 
 std::vector<Eigen::VectorXd> TomlTable::rows(std::string_view key, std::string_view unit, std::size_t least,
-                                             std::size_t columns) {
+                                             std::size_t columns, std::size_t most) {
     const toml::node* node = find(key);
     if (node)
-        if (std::optional<std::vector<Eigen::VectorXd>> good = rows(*node, least, columns)) return *good;
-    reject(key, with_unit(fmt::format("an array of at least {} arrays of {} finite numbers", least, columns),
-                          unit));
+        if (std::optional<std::vector<Eigen::VectorXd>> good = rows(*node, least, columns, most))
+            return *good;
+    reject(key, with_unit(row_words(least, columns, most), unit));
     return {};
 }
 
@@ -242,7 +282,7 @@ std::vector<std::vector<Eigen::VectorXd>> TomlTable::lists_of_rows(std::string_v
     std::vector<std::vector<Eigen::VectorXd>> result;
     bool good = array != nullptr;
     for (std::size_t i = 0; good && i < array->size(); ++i) {
-        std::optional<std::vector<Eigen::VectorXd>> list = rows(*array->get(i), least, columns);
+        std::optional<std::vector<Eigen::VectorXd>> list = rows(*array->get(i), least, columns, 0);
         good = list.has_value();
         if (good) result.push_back(std::move(*list));
     }

@@ -23,7 +23,8 @@ std::string place_of(const toml::source_region& source);
 /// Collects the mistakes of a scene, so that a user sees them all at once.
 class Problems {
   public:
-    /// Adds a problem. source: where it is; key: dotted key; what: the mistake and its remedy.
+    /// Adds a problem, unless the same one has been added before: a table may be read more than once. source:
+    /// where it is; key: dotted key; what: the mistake and its remedy.
     void add(const toml::source_region& source, std::string_view key, const std::string& what);
 
     /// If there are problems, throws Error with a line for each: in the order of the file, problems of
@@ -70,15 +71,18 @@ class TomlTable {
     /// If `key` is set to `name`, a value of earlier versions, reports it with the replacement `instead` and
     /// returns true; the caller must then not call choice(), which would report it again.
     bool retired(std::string_view key, std::string_view name, std::string_view instead);
-    /// Reads an array of one or more of `names`, each once; empty after a problem.
-    std::vector<std::string> choices(std::string_view key, std::span<const std::string_view> names);
+    /// Reads an array of one or more of `names`, each once; empty after a problem. or_flag: whether messages
+    /// say that true and false are allowed, too.
+    std::vector<std::string> choices(std::string_view key, std::span<const std::string_view> names,
+                                     bool or_flag = false);
     Eigen::Vector3d vector(std::string_view key, std::string_view unit,
                            std::optional<Eigen::Vector3d> fallback = {});
     /// Reads two numbers. or_one: whether messages say that a single number is allowed, too.
     Eigen::Vector2d pair(std::string_view key, std::string_view unit, const Range& range, bool or_one = true);
-    /// Reads an array of arrays of `columns` numbers, with at least `least` rows.
+    /// Reads an array of arrays of `columns` numbers, with at least `least` rows, and `most` at most; 0: any
+    /// number.
     std::vector<Eigen::VectorXd> rows(std::string_view key, std::string_view unit, std::size_t least,
-                                      std::size_t columns);
+                                      std::size_t columns, std::size_t most = 0);
     /// Reads an array of any number of arrays, each as rows() reads it.
     std::vector<std::vector<Eigen::VectorXd>> lists_of_rows(std::string_view key, std::string_view unit,
                                                             std::size_t least, std::size_t columns);
@@ -97,6 +101,7 @@ class TomlTable {
     std::string where(std::string_view key) const;
     bool is_string(std::string_view key) const { return content->get_as<std::string>(key) != nullptr; }
     bool is_number(std::string_view key) const { return (*content)[key].is_number(); }
+    bool is_flag(std::string_view key) const { return (*content)[key].is_boolean(); }
     bool is_table(std::string_view key) const { return content->get_as<toml::table>(key) != nullptr; }
     bool is_array(std::string_view key) const { return content->get_as<toml::array>(key) != nullptr; }
     /// Reports every key of the table that has never been asked for, with the most similar key that has been.
@@ -108,10 +113,10 @@ class TomlTable {
     std::string dotted(std::string_view key) const;
     void reject(std::string_view key, std::string_view wanted, std::string_view hint = {});
     std::optional<Eigen::VectorXd> numbers(const toml::node& node) const;
-    /// Returns the rows of a node that is an array of at least `least` arrays of `columns` numbers; none if
-    /// it is not.
+    /// Returns the rows of a node that is an array of at least `least` arrays of `columns` numbers, and of
+    /// `most` at most (0: any number); none if it is not.
     std::optional<std::vector<Eigen::VectorXd>> rows(const toml::node& node, std::size_t least,
-                                                     std::size_t columns) const;
+                                                     std::size_t columns, std::size_t most) const;
 
     const toml::table* content;
     std::string path;

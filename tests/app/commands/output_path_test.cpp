@@ -77,6 +77,8 @@ TEST(OutputPath, ANameOfAnotherKindOfFileIsAnErrorWithTheRightOne) {
              {{"run", "scene.toml", "-o", "x.OBJ"}, "-o x.OBJ: a recording is HDF5; name a .h5 file"},
              {{"plot", "run_0.5", "-o", "x.png"}, "-o x.png: plots are SVG; name a .svg file"},
              {{"view", "run_0.5", "-o", "x.svg"}, "-o x.svg: a page is HTML; name a .html file"},
+             {{"render", "run_0.5", "-o", "x.jpg"},
+              "-o x.jpg: pictures are PNG; name a .png file or a folder, or pass --film FILE.mp4 for a film"},
              {{"export", "run_0.5", "--to", "obj", "-o", "x.glb"},
               "-o x.glb: the extension does not fit --to obj; name a .obj file or a folder"}}) {
         const ProgramResult result = run_sherd(command, directory.path);

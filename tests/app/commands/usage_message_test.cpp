@@ -50,5 +50,10 @@ TEST(UsageMessage, AnArgumentTooManyIsNamed) {
                        {"is one argument too many: after '--' there are no options"});
 }
 
+// The reference of keys has no JSON: without an error, a script would read text as JSON.
+TEST(UsageMessage, KeysAreNotPrintedAsJson) {
+    expect_usage_error({"scenes", "--keys", "--json"}, {"--json", "excludes", "--keys"});
+}
+
 }  // namespace
 }  // namespace sherd::test

@@ -3,11 +3,13 @@
 // a user would not find a key, or would read another default than the reader has.
 #include "app/help/key_reference.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <sstream>
 
+#include "app/scene/read/sheet/material_presets.h"
 #include "meshops/error.h"
 #include "tests/support/program/contains.h"
 #include "tests/support/program/message_thrown_by.h"
@@ -40,6 +42,43 @@ TEST(KeyReference, SheetsAndObstaclesNeedNoName) {
     EXPECT_EQ(key_reference("sheet.fracture", 0), key_reference("sheet.NAME.fracture", 0));
     EXPECT_EQ(key_reference("fracture", 0), key_reference("sheet.NAME.fracture", 0));
     EXPECT_TRUE(contains(key_reference("scene", 0), "  seed ")) << key_reference("scene", 0);
+}
+
+// A user copies a name from a scene, from --set, or from a heading that the reference itself prints.
+TEST(KeyReference, NamesMayBeWrittenAsInScenesAndHeadings) {
+    EXPECT_EQ(key_reference("sheet.plate.fracture", 0), key_reference("sheet.fracture", 0));
+    EXPECT_EQ(key_reference("obstacle.floor.friction", 0), key_reference("obstacle.friction", 0));
+    EXPECT_EQ(key_reference("[solver]", 0), key_reference("solver", 0));
+    EXPECT_EQ(key_reference("[sheet.NAME.material]", 0), key_reference("sheet.material", 0));
+    EXPECT_EQ(key_reference("[[gauge]]", 0), key_reference("gauge", 0));
+    EXPECT_TRUE(contains(test::message_thrown_by([] { key_reference("sheet.plate.fractur", 0); }),
+                         "--keys sheet.plate.fractur: scenes have no table and no key of this name; did you "
+                         "mean 'sheet.fracture'?"));
+}
+
+// The name nearest to a key of earlier versions would be wrong advice.
+TEST(KeyReference, ARetiredNameIsAnErrorWithItsReplacement) {
+    for (const char* name : {"solver.adaptive", "[solver.adaptive]"})
+        EXPECT_TRUE(
+            contains(test::message_thrown_by([&] { key_reference(name, 0); }),
+                     "--keys solver.adaptive: is no key any more: scheme = \"auto\" makes short steps"));
+    EXPECT_TRUE(contains(test::message_thrown_by([] { key_reference("solver.midpoint", 0); }),
+                         "scheme has no \"midpoint\" any more: \"bdf2\""));
+}
+
+TEST(KeyReference, ValuesAreThoseThatTheReaderAccepts) {
+    const auto says = [](const std::string& key, const std::string& wanted) {
+        EXPECT_TRUE(contains(key_reference(key, 0), wanted)) << key_reference(key, 0);
+    };
+    for (const MaterialPreset& preset : material_presets())
+        says("sheet.material.preset", fmt::format("\"{}\"", preset.name));
+    says("force.load.box", "an array of 2 arrays of 3 numbers (m)");
+    says("obstacle.young", "default: 3e10");
+    says("variant", "the name of the variant in quotes; required");
+    says("force.load.pressure", "without a selection the load acts on the whole sheet");
+    const std::string structured = key_reference("sheet.mesh.structured", 0);
+    EXPECT_FALSE(contains(structured, "disc")) << structured;
+    EXPECT_TRUE(contains(structured, "rectangle")) << structured;
 }
 
 TEST(KeyReference, AnUnknownNameIsAnErrorWithTheNearestOne) {
@@ -83,6 +122,11 @@ TEST(KeyReference, SettableKeysHaveTheNamesOfTheSceneAndTheirWords) {
     EXPECT_TRUE(offers("sheet.cup.material.young"));
     EXPECT_TRUE(offers("sheet.saucer.fracture.weibull"));
     EXPECT_TRUE(offers("obstacle.floor.friction"));
+    EXPECT_TRUE(std::ranges::any_of(lines, [](const std::string& line) {
+        return line.starts_with("sheet.cup.material.preset stoneware porcelain ");
+    }));
+    for (const char* variant : {"variant", "variant.name"})
+        EXPECT_FALSE(offers(variant)) << "--set cannot add a variant";
     EXPECT_FALSE(offers("sheet.cup")) << "a table has no value of its own";
     EXPECT_TRUE(
         offers("sheet.cup.mesh.generate rectangle disc cylinder sphere plate bowl revolution polygon"));

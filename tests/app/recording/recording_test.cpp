@@ -183,6 +183,23 @@ TEST(Recording, SurvivesTheEndOfTheDiskAndGoesOnWhenThereIsRoomAgain) {
     expect_recorded(file, run, 3);
 }
 
+// Times are sums of steps. With all their digits, as 0.00030000000000000003, they would hide what matters,
+// and in statics they are no seconds.
+TEST(Recording, NamesTheTimeOfAFrameThatFindsNoRoom) {
+    for (const auto& [unit, words] :
+         {std::pair{"s", "frame 0 (0.0003 s)"}, {"load", "frame 0 (load 0.0003)"}}) {
+        const TemporaryDirectory folder;
+        const fs::path file = folder.path / "run.h5";
+        SyntheticRun run = synthetic_run();
+        run.header.time_unit = unit;
+        run.frames[0].time = 3 * 1e-4;
+        RecordingWriter writer(file, run.header, false);
+        const FileSizeLimit limit(fs::file_size(file) + 1'000);
+        expect_error([&] { writer.append(run.frames[0], run.steps[0], run.events[0]); }, Fault::run,
+                     {words, "no room"});
+    }
+}
+
 // If HDF5 found the disk full in the middle of an append, the file would have a part of it.
 TEST(Recording, AnAppendIsWholeOrNotAtAllWhereverTheDiskEnds) {
     const SyntheticRun run = synthetic_run();

@@ -106,6 +106,12 @@ TEST_F(Render, ShowsEveryFragmentInItsColour) {
     EXPECT_LT(blue + orange + green, 96 * 54 / 2) << "there is ground around them";
 }
 
+// Some programs write extensions in capitals. Such a name once made a folder.
+TEST_F(Render, TakesTheExtensionInCapitals) {
+    render_recording(options("picture.PNG"));
+    EXPECT_TRUE(fs::is_regular_file(folder.path / "picture.PNG"));
+}
+
 TEST_F(Render, NumbersPicturesByFrameAndTellsTheirRange) {
     RenderOptions wanted = options("pictures");
     wanted.frames = "0,2";
@@ -156,6 +162,9 @@ TEST_F(Render, RefusesWhatItCannotDrawBeforeItWritesAnything) {
     refused(&RenderOptions::threads, -1, "--threads -1");
     refused(&RenderOptions::frames, std::string("all"), "name a folder");
     refused(&RenderOptions::output, folder.path / "no" / "such" / "folder", "such/folder");
+    // Such a name once made a folder, with a picture of another format in it.
+    for (const std::string name : {"x.jpg", "x.JPEG", "x.gif", "x.tiff", "x.svg", "x.mp4", "x.webm", "x.avi"})
+        refused(&RenderOptions::output, folder.path / name, name + ": pictures are PNG");
     refused(&RenderOptions::film, folder.path / "film.mp4", "97 pictures are wanted");
     refused(&RenderOptions::slow, SlowMotion{2, {}}, "--slow needs --film");
     refused(&RenderOptions::slow, SlowMotion{{}, 30}, "--rate needs --film");

@@ -84,6 +84,25 @@ TEST(SceneFields, AreNoneUnlessTheSceneWantsThem) {
     }
 }
 
+// The message must name the wrong word, since the list of fields may be long, and all that is allowed.
+TEST(SceneFields, AWrongWordIsNamedWithTheNearestOne) {
+    const auto says = [](const std::string& fields, const std::string& wanted) {
+        const std::string message =
+            message_thrown_by([&] { built_from(squares + "[output]\nfields = " + fields); });
+        EXPECT_NE(message.find("output.fields: must be an array of one or more of \"stress\""),
+                  std::string::npos)
+            << message;
+        EXPECT_NE(message.find("each once, or true or false, not " + wanted), std::string::npos) << message;
+    };
+    says("\"stress\"", "the string \"stress\"; did you mean [\"stress\"]?");
+    says("\"stres\"", "the string \"stres\"; did you mean [\"stress\"]?");
+    says("[\"stres\"]", "an array with the string \"stres\"; did you mean \"stress\"?");
+    says("[\"stress\", \"stress\"]", "an array with the string \"stress\" twice");
+    says("[\"stress\", 3]", "an array with 3");
+    says("[]", "an array of 0");
+    says("3", "3");
+}
+
 TEST(SceneGauge, WhatCannotBeIsRefused) {
     const auto says = [](const std::string& keys, const std::string& wanted) {
         const std::string message = message_thrown_by([&] { built_from(squares + "[[gauge]]\n" + keys); });
@@ -97,6 +116,8 @@ TEST(SceneGauge, WhatCannotBeIsRefused) {
     says("name = \"g\"\n", "gauge[0].at: is missing");
     says("name = \"g\"\nat = [0, 0, 0]\nrecord = [\"strain\"]\n",
          "gauge[0].record: must be an array of one or more of \"displacement\", \"stress\"");
+    says("name = \"g\"\nat = [0, 0, 0]\nrecord = [\"stress\", \"stress\"]\n",
+         "with the string \"stress\" twice");
     says("name = \"g\"\nat = [0, 0, 0]\n[[gauge]]\nname = \"g\"\nat = [0, 0, 0]\n",
          "gauge[1].name: \"g\" is the name of another gauge already");
 }

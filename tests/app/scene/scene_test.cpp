@@ -235,6 +235,56 @@ TEST(Scene, TheTextReadBackIsTheSameScene) {
     EXPECT_EQ(scene_of(scene.text).sheets.size(), 1u);
 }
 
+// A key under a misspelt name makes a new sheet or obstacle. If only the lack of its mesh were reported, a
+// user would not see the misspelt name.
+TEST(Scene, AMisspeltNameOfASheetOrAnObstacleIsToldTheNearestOne) {
+    const auto error_with = [](const std::string& setting) {
+        return message_thrown_by([&] {
+            scene_of(small_scene + "[obstacle.floor]\nplane = {}\n", {{setting}, ""});
+        });
+    };
+    EXPECT_EQ(error_with("sheet.plat.velocity=[0,0,1]"),
+              "--set sheet.plat.velocity=[0,0,1]: sheet.plat: has no mesh and no material; did you mean "
+              "'plate'?");
+    EXPECT_EQ(error_with("obstacle.flor.friction=1"),
+              "--set obstacle.flor.friction=1: obstacle.flor: has no shape; did you mean 'floor'?");
+    EXPECT_NE(error_with("sheet.other.velocity=[0,0,1]").find("sheet.other.mesh: is missing"),
+              std::string::npos);
+    EXPECT_EQ(error_with("obstacle.floor.friction=1"), "no error");
+    EXPECT_NE(error_with("obstacle.floor2.spher={radius=1}").find("did you mean 'sphere'?"),
+              std::string::npos)
+        << "a shape may be misspelt instead of the name";
+}
+
+TEST(Scene, AMistakeIsToldOnce) {
+    const std::string error = message_thrown_by([] { scene_of(small_scene, {{"solver=3"}, ""}); });
+    EXPECT_EQ(error, "--set solver=3: solver: must be a table, not 3");
+}
+
+TEST(Scene, ABoxHasTwoCorners) {
+    const std::string error = message_thrown_by([] {
+        scene_of(small_scene, {{"sheet.plate.pin={box=[[0,0,0],[1,1,1],[2,2,2]]}"}, ""});
+    });
+    EXPECT_NE(error.find("pin.box: must be an array of 2 arrays of 3 finite numbers (m), not an array of 3"),
+              std::string::npos)
+        << error;
+}
+
+// Only a part of the shapes has a structured mesh; `false` is what all of them have.
+TEST(Scene, StructuredIsForShapesThatHaveAGrid) {
+    const auto error_with = [](const std::string& mesh) {
+        return message_thrown_by([&] {
+            scene_of(small_scene, {{"sheet.plate.mesh={edge_length=0.1, " + mesh + "}"}, ""});
+        });
+    };
+    const std::string ring = "generate=\"revolution\", profile=[[1, 0], [1, 1]], structured=true";
+    EXPECT_EQ(error_with("generate=\"disc\", radius=1, structured=false"), "no error");
+    EXPECT_NE(error_with("generate=\"disc\", radius=1, structured=true").find("no regular grid on a disc"),
+              std::string::npos);
+    EXPECT_EQ(error_with(ring + ", angle=90"), "no error");
+    EXPECT_NE(error_with(ring).find("structured: is for a sector"), std::string::npos);
+}
+
 TEST(Scene, NearestNameIsOneTypingMistakeAway) {
     const std::vector<std::string> names{"density", "thickness", "young", "poisson"};
     EXPECT_EQ(nearest_name("thicknes", names), "thickness");

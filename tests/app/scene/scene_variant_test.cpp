@@ -99,6 +99,27 @@ TEST(SceneVariant, MistakesAreToldWhereTheyStand) {
               std::string::npos);
 }
 
+// If a variant without a valid name hid other mistakes, a user would find them one after the other.
+TEST(SceneVariant, OneWithoutANameHidesNoOtherMistake) {
+    const auto mistakes = [](const std::string& lines) {
+        return message_thrown_by([&] { parse_scenes("sed = 1\n" + tube + lines, "scene.toml", {}); });
+    };
+    const auto says = [](const std::string& message, const std::string& wanted) {
+        EXPECT_NE(message.find(wanted), std::string::npos) << message;
+    };
+    const std::string typo = mistakes("[[variant]]\nnme = \"a\"\nsolver.stpe = 1\n" + variants);
+    says(typo, "scene.toml:1: sed: unknown key; did you mean 'seed'?");
+    says(typo, "scene.toml:11: variant[0].name: is missing");
+    says(typo, "scene.toml:12: variant[0].nme: unknown key; did you mean 'name'?");
+    says(typo, "scene.toml:13: solver.stpe: unknown key; did you mean 'step'?");
+    says(typo, "(variant number 1)");
+    EXPECT_EQ(std::count(typo.begin(), typo.end(), '\n'), 3) << "each mistake once: " << typo;
+    const std::string wrong = mistakes("[[variant]]\nname = \"a b\"\nsolver.stpe = 1\n");
+    says(wrong, "variant[0].name: becomes a part of a file's name");
+    says(wrong, "scene.toml:13: solver.stpe: unknown key");
+    says(wrong, "scene.toml:1: sed: unknown key");
+}
+
 TEST(SceneVariant, AnUnknownOneIsToldThoseThatThereAre) {
     const std::string message = variant_message(tube + variants, {{}, "vertica"});
     EXPECT_NE(message.find("did you mean 'vertical'? it has: vertical, loaded-2"), std::string::npos)

@@ -8,12 +8,10 @@ namespace sherd {
 void read_box(TomlTable& table, const KeyInfo& key, Selection& selection) {
     if (!table.has(key.name)) return;
     const std::vector<Eigen::VectorXd> corners =
-        table.rows(key.name, key.rules.unit, key.rules.least_rows, key.rules.columns);
-    if (corners.size() == 2)
-        selection.box.emplace(corners[0], corners[1]);
-    else if (!corners.empty())
-        table.report(key.name, "must be [lower corner, upper corner], two arrays of 3 numbers");
-    if (selection.box && (selection.box->first.array() > selection.box->second.array()).any())
+        table.rows(key.name, key.rules.unit, key.rules.least_rows, key.rules.columns, key.rules.most_rows);
+    if (corners.empty()) return;
+    selection.box.emplace(corners[0], corners[1]);
+    if ((selection.box->first.array() > selection.box->second.array()).any())
         table.report(key.name, "has a lower corner above its upper one: order them in x, y and z");
 }
 

@@ -11,7 +11,7 @@ void read_box(TomlTable& table, const KeyInfo& key, Selection& selection);
 inline constexpr std::array selection_keys{
     special_key("box", Form::rows,
                 "`[[x, y, z], [x, y, z]]`, lower and upper corner of a box: the placed vertices in it",
-                {.unit = "m", .otherwise = "none", .least_rows = 2, .columns = 3}, read_box),
+                {.unit = "m", .otherwise = "none", .least_rows = 2, .columns = 3, .most_rows = 2}, read_box),
     key<&Selection::boundary>("boundary", "`true`: all vertices of the boundary"),
     key<&Selection::group>(
         "group", "the vertices of the faces in this group of the mesh file",

@@ -31,9 +31,23 @@ constexpr std::array<std::string_view, 8> shape_names{"rectangle", "disc", "cyli
 constexpr std::array common_keys{
     special_key("generate", Form::choice, "the shape", {.choices = shape_names, .required = true},
                 read_generate),
-    key<&GeneratedMesh::edge_length>("edge_length", "target length of the edges", side_rules),
-    key<&GeneratedMesh::structured>(
-        "structured", "for a rectangle, cylinder or sector: a regular grid with parallel diagonals")};
+    key<&GeneratedMesh::edge_length>("edge_length", "target length of the edges", side_rules)};
+
+/// Refuses `structured = true` for a shape that has no regular grid. `false`, as for other shapes, is
+/// allowed.
+void refuse_structured(TomlTable& table, const KeyInfo& key, GeneratedMesh& mesh) {
+    // flag() makes the key a known one, which messages list, so it is called only if the table has the key.
+    if (table.is_flag(key.name) && table.flag(key.name, false))
+        table.report(key.name, fmt::format("is for a rectangle, a cylinder or a sector (a revolution with an "
+                                           "angle below 360): there is no regular grid on a {}",
+                                           mesh.shape));
+}
+
+constexpr std::array structured_key{
+    key<&GeneratedMesh::structured>("structured", "a regular grid with parallel diagonals")},
+    sector_structured_key{key<&GeneratedMesh::structured>(
+        "structured", "for a sector, with `angle` below 360: a regular grid with parallel diagonals")},
+    unstructured_key{special_key("structured", Form{}, "", {}, refuse_structured)};
 constexpr std::array radius_key{key<&GeneratedMesh::radius>("radius", "its radius", side_rules)},
     width_key{key<&GeneratedMesh::width>("width", "its side along x", side_rules)},
     height_key{
@@ -106,6 +120,8 @@ void complete_revolution(TomlTable& table, GeneratedMesh& mesh) {
     if (profile.empty()) return;
     if (std::ranges::all_of(profile, [](const Vector2d& p) { return p.x() == 0; }))
         table.report("profile", "lies on the axis: give a point with r > 0");
+    if (mesh.structured && mesh.angle >= 360)
+        table.report("structured", "is for a sector: give an angle below 360, or leave it out");
     if (mesh.angle < 360 && (profile.front().x() == 0 || profile.back().x() == 0))
         table.report("angle", "is for a profile that does not touch the axis (r > 0 everywhere)");
 }
@@ -142,13 +158,13 @@ void complete_polygon(TomlTable& table, GeneratedMesh& mesh) {
     if (const auto fault = fault_of(mesh.polygon)) table.report(fault->part, fault->what);
 }
 
-constexpr auto rectangle_keys = joined(common_keys, width_key, height_key);
-constexpr auto round_keys = joined(common_keys, radius_key);
-constexpr auto tube_keys = joined(common_keys, radius_key, height_key);
-constexpr auto plate_keys = joined(common_keys, radius_key, plate_part_keys);
-constexpr auto bowl_keys = joined(common_keys, radius_key, bowl_part_keys);
-constexpr auto revolution_keys = joined(common_keys, revolution_part_keys);
-constexpr auto polygon_keys = joined(common_keys, polygon_part_keys);
+constexpr auto rectangle_keys = joined(common_keys, structured_key, width_key, height_key);
+constexpr auto round_keys = joined(common_keys, unstructured_key, radius_key);
+constexpr auto tube_keys = joined(common_keys, structured_key, radius_key, height_key);
+constexpr auto plate_keys = joined(common_keys, unstructured_key, radius_key, plate_part_keys);
+constexpr auto bowl_keys = joined(common_keys, unstructured_key, radius_key, bowl_part_keys);
+constexpr auto revolution_keys = joined(common_keys, sector_structured_key, revolution_part_keys);
+constexpr auto polygon_keys = joined(common_keys, unstructured_key, polygon_part_keys);
 
 using ShapeSection = Section<GeneratedMesh>;
 /// Sections in the order of shape_names.

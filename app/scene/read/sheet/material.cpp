@@ -83,12 +83,10 @@ std::optional<double> from_preset(const SheetSpec& sheet, double Material::*memb
 
 void read_preset(TomlTable& table, const KeyInfo& key, SheetSpec& sheet) {
     if (!table.has(key.name)) return;
-    std::vector<std::string_view> names;
-    for (const MaterialPreset& known : material_presets()) names.push_back(known.name);
     // An unknown preset is one mistake: keys that a preset makes optional are not reported as missing, too.
     static constexpr MaterialPreset unknown{"", {}, FracturePreset{}};
     sheet.preset = &unknown;
-    const std::string name = table.choice(key.name, names);
+    const std::string name = table.choice(key.name, key.rules.choices);
     for (const MaterialPreset& known : material_presets())
         if (known.name == name) sheet.preset = &known;
 }
@@ -190,8 +188,8 @@ constexpr std::string_view by_preset = "that of the preset; without one it is re
 constexpr std::array material_keys{
     table_key<axis_section, &SheetSpec::axis>("axis", "direction of the first material axis",
                                               {.otherwise = "`{ degrees = 0 }`"}),
-    special_key("preset", Form::text, "name of a material; other keys override its values",
-                {.what = "the name of a preset", .otherwise = "none"}, read_preset),
+    special_key("preset", Form::choice, "name of a material; other keys override its values",
+                {.choices = preset_names, .otherwise = "none"}, read_preset),
     special_key("density", Form::number, "mass per volume",
                 {.unit = "kg/m^3", .range = positive, .otherwise = by_preset}, read_density),
     special_key("thickness", Form::number | Form::table, "thickness: a number, or a map if it varies",

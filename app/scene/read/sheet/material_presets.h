@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -26,5 +27,8 @@ struct MaterialPreset {
 
 /// Returns presets of real materials; docs/scene.md gives the source of each.
 std::span<const MaterialPreset> material_presets();
+
+/// Names of the presets, in the order of material_presets().
+extern const std::array<std::string_view, 11> preset_names;
 
 }  // namespace sherd

@@ -88,7 +88,8 @@ TEST(Resume, MakesAFinishedRunLonger) {
     expect_same_recording(scene.file("whole.h5"), scene.file("short.h5"));
     const ProgramResult shorter = scene.run({"-o", "short.h5", "--resume"});
     EXPECT_EQ(shorter.exit_code, 2);
-    EXPECT_NE(shorter.err.find("has reached 0.016 s, past duration = 0.01"), std::string::npos)
+    EXPECT_NE(shorter.err.find("checkpoint of the run is at 0.016 s, past duration = 0.01"),
+              std::string::npos)
         << shorter.err;
 }
 
@@ -117,6 +118,34 @@ TEST(Resume, KeepsNoCheckpointOfACompleteRun) {
     EXPECT_NE(damped.err.find("its scene had another text"), std::string::npos) << damped.err;
 }
 
+// A run that is killed may have recorded frames after its last checkpoint. If a message named the time of the
+// checkpoint only, it would contradict `sherd info`. The killed run is made of a longer recording and the
+// checkpoint of a shorter one.
+TEST(Resume, TellsOfFramesBeyondTheLastCheckpoint) {
+    const Falling scene;
+    ASSERT_EQ(scene.run({"-o", "whole.h5"}).exit_code, 0);
+    ASSERT_EQ(scene.run({"-o", "run.h5", "--until", "0.004"}).exit_code, 0);
+    fs::copy_file(scene.file("whole.h5"), scene.file("run.h5"), fs::copy_options::overwrite_existing);
+    const ProgramResult none = scene.run({"-o", "run.h5", "--resume", "--until", "0.003"});
+    EXPECT_EQ(none.exit_code, 0) << none.err;
+    EXPECT_NE(
+        none.err.find("the last checkpoint of 'run.h5' is at 0.004 s, not before --until: nothing "
+                      "is left to do; frames beyond it, up to 0.01 s, will be made again when the run is "
+                      "resumed"),
+        std::string::npos)
+        << none.err;
+    expect_same_recording(scene.file("whole.h5"), scene.file("run.h5"));
+    const ProgramResult rest = scene.run({"-o", "run.h5", "--resume", "--until", "0.006"});
+    EXPECT_EQ(rest.exit_code, 0) << rest.err;
+    EXPECT_NE(
+        rest.err.find("'run.h5' is resumed at 0.004 s, its last checkpoint; frames beyond it, up to 0.01 s, "
+                      "are made again"),
+        std::string::npos)
+        << rest.err;
+    const Recording cut(scene.file("run.h5"));
+    EXPECT_EQ(cut.steps().size(), 6u) << "the frames beyond the checkpoint are gone";
+}
+
 // The last step ends after the duration if the duration is no multiple of the step, and by round-off after
 // many durations that are: nine steps of 0.001 s exceed 0.009 s. Such a run was once refused as too long.
 TEST(Resume, LeavesARunAloneWhoseLastStepEndsAfterItsDuration) {
@@ -137,6 +166,12 @@ TEST(Resume, NamesWhatHasChanged) {
     const ProgramResult stepped = scene.run({"-o", "run.h5", "--resume", "--set", "solver.step=2e-3"});
     EXPECT_EQ(stepped.exit_code, 2);
     EXPECT_NE(stepped.err.find("solver.step was 0.001 and is 0.002"), std::string::npos) << stepped.err;
+    // Settings hold this number as 2.0000000000000002e-05, and a user would look for a difference that is
+    // none.
+    const ProgramResult finer = scene.run({"-o", "run.h5", "--resume", "--set", "solver.step=2e-5"});
+    EXPECT_NE(finer.err.find("solver.step was 0.001 and is 2e-05\n"), std::string::npos) << finer.err;
+    EXPECT_NE(finer.err.find("only duration and output.checkpoint may differ"), std::string::npos)
+        << finer.err;
     const ProgramResult damped = scene.run({"-o", "run.h5", "--resume", "--set", "solver.damping.mass=1"});
     EXPECT_EQ(damped.exit_code, 2);
     EXPECT_NE(damped.err.find("solver.damping.mass = 1 has been added"), std::string::npos) << damped.err;
