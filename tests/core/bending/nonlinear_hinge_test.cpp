@@ -32,7 +32,7 @@ TEST(NonlinearHinge, ConvexHessianIsPositiveSemidefiniteAndExactAtRest) {
         const NonlinearHinge hinge = nonlinear_hinge(rest, 1.7);
         const HingeHessian convex = hessian(hinge, test::random_hinge(random, random.uniform(-3, 3)), true);
         const VectorXd eigenvalues = test::eigenvalues(convex);
-        EXPECT_GE(eigenvalues[0], -1e-13 * eigenvalues[11]);
+        EXPECT_GE(eigenvalues[0], -1e-14 * eigenvalues[11]);
         EXPECT_LT((hessian(hinge, rest, true) - hessian(hinge, rest)).norm(),
                   1e-14 * hessian(hinge, rest).norm());
     }

@@ -64,7 +64,7 @@ void walk(const ContactSurface& surface, Positions x, unsigned seed) {
     Random random(seed);
     const NearPairs walker(surface, Threads(2));
     const double size = random.uniform(-5.5, -3);
-    for (int i = 0; i < 6; ++i) {
+    for (int i = 0; i < 12; ++i) {
         const Positions motion = stride(random, x, surface.collider_vertices(), size);
         expect_same(walker, x, motion);
         x += random.uniform(0, 1) * motion;
@@ -75,7 +75,7 @@ void walk(const ContactSurface& surface, Positions x, unsigned seed) {
 // motion, a pair or a passage would be missed, which nothing finds later. In a sheet with edges shorter than
 // its thickness (2 mm), most pairs are within its thickness at rest.
 RC_GTEST_PROP(NearPairs, AnswerAsIfNeverAskedBefore, ()) {
-    const int count = *rc::gen::element(3, 8);
+    const int count = *rc::gen::element(3, 3, 3, 8);  // the large plates take most of the time
     const Material& material = count == 8 ? test::thick_foam : test::ceramic;
     const Shell shell = test::stacked_plates(2, count, 0.97 * material.thickness, material);
     walk(ContactSurface(shell), shell.position, *rc::gen::inRange(0u, 1u << 30));
