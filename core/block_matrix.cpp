@@ -64,15 +64,20 @@ Matrix3d BlockMatrix::diagonal_block(Index vertex) const {
     return block;
 }
 
+Matrix3d BlockMatrix::block_below(Index index, Index column) const {
+    Matrix3d block;
+    for (Index c = 0; c < 3; ++c)
+        block.col(c) = Eigen::Map<const Vector3d>(
+            &value[column_start[3 * column + c] + 3 - c + 3 * (index - block_start[column])]);
+    return block;
+}
+
 Positions BlockMatrix::times(const Positions& x) const {
     Positions product = Positions::Zero(3, x.cols());
     for (Index j = 0; j < static_cast<Index>(x.cols()); ++j) {
         product.col(j) += diagonal_block(j) * x.col(j);
         for (Index b = block_start[j]; b < block_start[j + 1]; ++b) {
-            Matrix3d block;
-            for (Index c = 0; c < 3; ++c)
-                block.col(c) = Eigen::Map<const Vector3d>(
-                    &value[column_start[3 * j + c] + 3 - c + 3 * (b - block_start[j])]);
+            const Matrix3d block = block_below(b, j);
             product.col(block_row[b]) += block * x.col(j);
             product.col(j) += block.transpose() * x.col(block_row[b]);
         }

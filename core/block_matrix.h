@@ -59,6 +59,8 @@ class BlockMatrix {
                std::ranges::all_of(vertices, [&](Index vertex) { return vertex < 0 || number[vertex] >= 0; });
     }
     Matrix3d diagonal_block(Index vertex) const;
+    /// The block below the diagonal of a block column, by its index in block_rows().
+    Matrix3d block_below(Index index, Index column) const;
     /// The matrix times x, [3, vertices].
     Positions times(const Positions& x) const;
     /// Returns the rows and columns of the vertices v with keep[v] != 0, renumbered from 0; `keep` is indexed

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <type_traits>
 #include <utility>
 
@@ -89,6 +90,12 @@ class ElementEnergy : public Energy {
     }
     void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const override {
         add_patterns(elements, pairs);
+    }
+    void add_pattern_among(const std::vector<char>& among,
+                           std::vector<std::pair<Index, Index>>& pairs) const override {
+        for (std::size_t i = 0; i < elements.size(); ++i)
+            if (std::ranges::all_of(elements.vertices(i), [&](Index v) { return v < 0 || among[v] != 0; }))
+                add_pairs(pairs, elements.vertices(i));
     }
     /// Elements that have no visit_state() belong to the shell, or begin() makes them.
     void visit_state(StateVisitor& visit) override {

@@ -41,6 +41,12 @@ struct Energy {
     /// Appends the pairs of vertices that have a block in the Hessian at all positions, until the shell
     /// changes.
     virtual void add_pattern(std::vector<std::pair<Index, Index>>& /*pairs*/) const {}
+    /// Appends at least those of these pairs that belong to elements all of whose vertices v have among[v] !=
+    /// 0.
+    virtual void add_pattern_among(const std::vector<char>& /*among*/,
+                                   std::vector<std::pair<Index, Index>>& pairs) const {
+        add_pattern(pairs);
+    }
     /// Appends the pairs of vertices whose blocks depend on the positions: the pairs with a block in the
     /// Hessian at x and, if `ahead`, also the pairs that are likely to have a block after small motions.
     virtual void add_contacts(const Positions& /*x*/, bool /*ahead*/,

@@ -17,12 +17,18 @@ void CornerSums::prepare(Index vertices) {
     places.assign(vertex_of.size(), {0});
 }
 
+inline void CornerSums::put_negative(Index vertex, double* of_all) const {
+    Lanes sum = 0;
+    for (Index i = start[vertex]; i < start[vertex + 1]; ++i) sum -= places[at_vertex[i]].coordinates;
+    for (int c = 0; c < 3; ++c) of_all[3 * vertex + c] = sum[c];
+}
+
 void CornerSums::put_negative(Index begin, Index end, double* of_all) const {
-    wide_loop(begin, end, [&](Index vertex) {
-        Lanes sum = 0;
-        for (Index i = start[vertex]; i < start[vertex + 1]; ++i) sum -= places[at_vertex[i]].coordinates;
-        for (int c = 0; c < 3; ++c) of_all[3 * vertex + c] = sum[c];
-    });
+    wide_loop(begin, end, [&](Index vertex) { put_negative(vertex, of_all); });
+}
+
+void CornerSums::put_negative(std::span<const Index> some, double* of_all) const {
+    wide_loop(0, static_cast<Index>(some.size()), [&](Index i) { put_negative(some[i], of_all); });
 }
 
 }  // namespace sherd

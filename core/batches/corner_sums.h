@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <vector>
 
 #include "core/lanes.h"
@@ -56,7 +57,8 @@ constexpr Index batches_of(std::size_t elements) {
 constexpr int present_in(Index b, std::size_t elements) {
     return std::min<int>(Lanes::count, static_cast<int>(elements) - b * Lanes::count);
 }
-/// The element in a lane of batch b; lanes that are left over in the last batch repeat the last element.
+/// The place in order of the element in a lane of batch b; lanes that are left over in the last batch repeat
+/// the last element.
 constexpr Index element_of(Index b, int lane, std::size_t elements) {
     return std::min(b * Lanes::count + lane, static_cast<Index>(elements) - 1);
 }
@@ -84,8 +86,12 @@ class CornerSums {
     /// Writes the negative sums of the vertices from `begin` to before `end` to their entries of of_all, [3,
     /// V].
     void put_negative(Index begin, Index end, double* of_all) const;
+    /// Writes the negative sums of `some` vertices to their entries of of_all, [3, V].
+    void put_negative(std::span<const Index> some, double* of_all) const;
 
   private:
+    void put_negative(Index vertex, double* of_all) const;
+
     std::vector<Index> vertex_of;         ///< vertex of each place; -1: none
     std::vector<Index> start, at_vertex;  ///< [V + 1] where each vertex begins in at_vertex; places, ordered
                                           ///< by vertex

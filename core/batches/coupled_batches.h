@@ -4,29 +4,29 @@
 #include <array>
 
 #include "core/batches/corner_sums.h"
+#include "core/batches/level_order.h"
 #include "core/bending/coupled_bending.h"
 #include "core/shell/shell.h"
 #include "core/threads.h"
 
 namespace sherd {
 
-/// Derivatives of an energy by the dihedral angles at the sides of faces in batches.
+/// Derivatives of a bending energy by the angles of the folds at the sides of faces.
 struct SideMoments {
-    std::vector<std::array<LaneIndices, 3>> sides;  ///< for each batch and side, indices in per_length
-    std::vector<double> per_length;                 ///< N, derivatives by angles over the sides' lengths
-
-    LanesVector of(Index batch) const {
-        const auto& [a, b, c] = sides[batch];
-        return {gather(per_length, a), gather(per_length, b), gather(per_length, c)};
-    }
+    std::vector<std::array<Index, 3>> of_face;  ///< for each face and side, an index in per_length
+    std::vector<Level> levels;                  ///< levels of the entries of per_length
+    std::vector<double> per_length;             ///< N, derivatives by angles over the sides' lengths
 };
 
 /// The faces of a shell in batches, with the gradient of their membrane energy (constant strain).
 class FaceBatches {
   public:
-    /// Makes the batches, and appends the corners of all faces to `corners`.
-    void build(const Shell& shell, CornerSums& corners);
-    Index size() const { return static_cast<Index>(batches.size()); }
+    /// Makes the batches, and appends the corners of the faces to `corners`. levels: of the vertices;
+    /// bending: see find(). Raises the entries of `at_vertices` to the levels of the faces around them.
+    void build(const Shell& shell, const std::vector<Level>& levels, const SideMoments* bending,
+               CornerSums& corners, std::vector<Level>& at_vertices);
+    /// Number of the first batches, which together contain all faces of at least this level.
+    Index size(int level) const { return batches_of(order.count(level)); }
 
     /// Writes the gradients, N, of the batches from `begin` to before `end` to their places in `corners`.
     /// bending: derivatives of a bending energy, whose gradient is added; null: none.
@@ -39,8 +39,10 @@ class FaceBatches {
             derivatives;  ///< 1/m, MembraneTriangle::derivatives of the second and the third corner
         std::array<Lanes, 6> stiffness;  ///< area times elasticity, J: 00, 11, 22, 01, 02, 12
         std::array<LaneIndices, 3> vertices;
-        Index place;  ///< number in CornerSums of the first corner's place
+        std::array<LaneIndices, 3> sides;  ///< indices in SideMoments::per_length
+        Index place;                       ///< number in CornerSums of the first corner's place
     };
+    LevelOrder order;
     std::vector<Batch> batches;
 };
 
@@ -49,19 +51,24 @@ class FaceBatches {
 /// folds (FaceCurvature). The energy is that of CoupledBending, summed in another order.
 class CoupledBatches {
   public:
-    void build(const Shell& shell, const CoupledBending& bending);
-    /// Computes the derivatives at the positions x. of_mirrors: changes of the mirrors' angles, rad; they are
-    /// replaced by the energy's derivatives by them, N m.
-    void find(const PaddedPositions& x, const Threads& threads, std::vector<double>& of_mirrors);
+    /// levels: of the vertices.
+    void build(const Shell& shell, const CoupledBending& bending, const std::vector<Level>& levels);
+    /// Computes the derivatives at the positions x, after vertices of at least `level` have moved since the
+    /// last call. of_mirrors: changes of the mirrors' angles, rad; they are replaced by the energy's
+    /// derivatives by them, N m.
+    void find(const PaddedPositions& x, int level, const Threads& threads, std::vector<double>& of_mirrors);
     /// Derivatives of the energy by the angles of hinges at the sides of faces, as the last find() has
     /// computed them.
     const SideMoments& moments() const { return at_sides; }
+    /// Level of the derivative by a mirror's angle.
+    Level level_of_mirror(Index mirror) const { return at_sides.levels[of_hinges + mirror]; }
 
   private:
     /// Four hinges.
     struct alignas(sizeof(Lanes)) Hinges {
         std::array<Lanes, 2> start;  ///< cos and sin of the angle from which changes are measured
         std::array<LaneIndices, 4> vertices;
+        LaneIndices number;
     };
     /// Four faces.
     struct alignas(sizeof(Lanes)) Faces {
@@ -82,7 +89,9 @@ class CoupledBatches {
         void end_row() { start.push_back(static_cast<Index>(column.size())); }
         Rows transposed(Index columns) const;
     };
-
+    void build_shares(const CoupledBending& bending);
+    void build_tangents(const CoupledBending& bending);
+    void find_levels(const CoupledBending& bending, const std::vector<Level>& of_vertices);
     void build_hinges(const CoupledBending& bending);
     void build_faces(const CoupledBending& bending);
     /// Number here of a fold of CoupledBending: here hinges come first, then mirrors.
@@ -94,16 +103,19 @@ class CoupledBatches {
     void find_moments(Index begin, Index end);
     double moment(Index fold) const;
 
-    Index of_hinges = 0, folds = 0;  ///< number of hinges, filled up to whole batches; number of all folds
+    Index of_hinges = 0, folds = 0;  ///< number of hinges, and of all folds
     const Shell* shell = nullptr;
+    /// By the levels of the angles of hinges, of their tangents, of faces, and of the moments of hinges.
+    LevelOrder hinge_order, tangent_order, face_order, moment_order;
     std::vector<Hinges> hinges;
     std::vector<Faces> faces;
+    std::vector<std::array<Index, 3>> tangents_of_face;  ///< for each face and side, an index in `tangents`
     Rows shares;  ///< shares of folds (columns) in the angle from T0's facet to each hinge's tangent (rows)
     Rows shared;  ///< transpose of `shares`
     std::vector<double> changes, of_length;  ///< changes of the folds' angles, rad; one over the hinges'
                                              ///< lengths, 1/m
     /// tangents: for each fold the changes of the angles from the facets of T0 and T1 to the tangent, rad,
-    /// then zeros for free sides. of_tangents: the energy's derivatives by the entries of `tangents`, N m.
+    /// then a zero for free sides. of_tangents: the energy's derivatives by the entries of `tangents`, N m.
     std::vector<double> tangents, of_tangents;
     SideMoments at_sides;
 };

@@ -14,13 +14,21 @@ constexpr Index batches_at_once = 64, vertices_at_once = 1024;
 
 }  // namespace
 
-void HingeBatches::build(const Shell& shell, const std::vector<CubicHinge>& hinges, CornerSums& corners) {
+void HingeBatches::build(const Shell& shell, const std::vector<CubicHinge>& hinges,
+                         const std::vector<Level>& levels, CornerSums& corners,
+                         std::vector<Level>& at_vertices) {
     const std::size_t count = shell.hinges.size();
+    std::vector<Level> of_hinges(count, 0);
+    for (std::size_t h = 0; h < count; ++h) {
+        for (const Index v : shell.hinges[h].vertices) raise(of_hinges[h], levels[v]);
+        for (const Index v : shell.hinges[h].vertices) raise(at_vertices[v], of_hinges[h]);
+    }
+    order = LevelOrder(of_hinges);
     batches.assign(batches_of(count), {});
-    for (Index b = 0; b < size(); ++b) {
+    for (Index b = 0; b < static_cast<Index>(batches.size()); ++b) {
         Batch& batch = batches[b];
         for (int lane = 0; lane < Lanes::count; ++lane) {
-            const Index hinge = element_of(b, lane, count);
+            const Index hinge = order[element_of(b, lane, count)];
             const Matrix3d Q = hinges[hinge].quadratic.bottomRightCorner<3, 3>();
             const double entries[] = {Q(0, 0), Q(1, 1), Q(2, 2), Q(0, 1), Q(0, 2), Q(1, 2)};
             for (int k = 0; k < 6; ++k) batch.quadratic[k].set(lane, entries[k]);
@@ -60,17 +68,25 @@ ElasticGradient::ElasticGradient(const Shell& shell, const ShellEnergies& energi
 }
 
 void ElasticGradient::build() {
+    const Index count = static_cast<Index>(shell.position.cols());
+    if (levels.empty()) levels.assign(count, 0);
+    std::vector<Level> at_vertices = levels;
     corners.clear();
-    if (of_membrane) faces.build(shell, corners);
-    if (cubic != nullptr) hinges.build(shell, *cubic, corners);
-    corners.prepare(static_cast<Index>(shell.position.cols()));
-    positions.resize(shell.position.cols());
     if (coupled != nullptr) {
-        bends.build(shell, *coupled);
+        bends.build(shell, *coupled, levels);
         mirrors.resize(coupled->all_folds().folds_of_edges());
         std::iota(mirrors.begin(), mirrors.end(), 0);
         of_mirrors.resize(mirrors.size());
+        for (const Index m : mirrors)
+            for (const Index v : coupled->all_folds().vertices(m))
+                if (v >= 0) raise(at_vertices[v], bends.level_of_mirror(m));
     }
+    if (of_membrane)
+        faces.build(shell, levels, coupled != nullptr ? &bends.moments() : nullptr, corners, at_vertices);
+    if (cubic != nullptr) hinges.build(shell, *cubic, levels, corners, at_vertices);
+    corners.prepare(count);
+    vertices = LevelOrder(at_vertices);
+    positions.resize(count);
     built = true;
 }
 
@@ -82,23 +98,33 @@ void ElasticGradient::find(const Positions& x) {
             positions[v].coordinates = Lanes::Vector{from[3 * v], from[3 * v + 1], from[3 * v + 2], 0};
         });
     });
-    if (!others.empty() || !mirrors.empty()) unbatched.setZero(3, x.cols());
-    if (coupled != nullptr) find_coupled(x);
-    const SideMoments* bending = coupled != nullptr ? &bends.moments() : nullptr;
-    threads.share_ranges(faces.size(), batches_at_once, [&](Index begin, Index end) {
-        faces.find(begin, end, positions, bending, corners);
-    });
-    threads.share_ranges(hinges.size(), batches_at_once,
-                         [&](Index begin, Index end) { hinges.find(begin, end, positions, corners); });
-    for (const Energy* energy : others) energy->add_gradient(x, unbatched);
+    if (!others.empty() || !mirrors.empty()) unpadded = x;
+    find_again(0);
 }
 
-void ElasticGradient::find_coupled(const Positions& x) {
+void ElasticGradient::move(Index vertex, const Vector3d& to) {
+    positions[vertex].coordinates = Lanes::Vector{to[0], to[1], to[2], 0};
+    if (unpadded.cols() > 0) unpadded.col(vertex) = to;
+}
+
+void ElasticGradient::find_again(int level) {
+    if (!others.empty() || !mirrors.empty()) unbatched.setZero(3, unpadded.cols());
+    if (coupled != nullptr) find_coupled(level);
+    const SideMoments* bending = coupled != nullptr ? &bends.moments() : nullptr;
+    threads.share_ranges(faces.size(level), batches_at_once, [&](Index begin, Index end) {
+        faces.find(begin, end, positions, bending, corners);
+    });
+    threads.share_ranges(hinges.size(level), batches_at_once,
+                         [&](Index begin, Index end) { hinges.find(begin, end, positions, corners); });
+    for (const Energy* energy : others) energy->add_gradient(unpadded, unbatched);
+}
+
+void ElasticGradient::find_coupled(int level) {
     const Folds& folds = coupled->all_folds();
-    if (!mirrors.empty()) folds.find_slopes(x, mirrors, slopes);
+    if (!mirrors.empty()) folds.find_slopes(unpadded, mirrors, slopes);
     for (const Index m : mirrors)
         of_mirrors[m] = std::remainder(slopes[m].angle - coupled->start_angle(m), 2 * std::numbers::pi);
-    bends.find(positions, threads, of_mirrors);
+    bends.find(positions, level, threads, of_mirrors);
     for (const Index m : mirrors)
         for (int v = 0; v < 4; ++v)
             if (const Index vertex = slopes[m].vertices[v]; vertex >= 0)
@@ -109,6 +135,12 @@ void ElasticGradient::put_forces(Index begin, Index end, Positions& forces) cons
     corners.put_negative(begin, end, forces.data());
     if (!others.empty() || !mirrors.empty())
         forces.middleCols(begin, end - begin) -= unbatched.middleCols(begin, end - begin);
+}
+
+void ElasticGradient::put_forces_again(int level, Positions& forces) const {
+    corners.put_negative(affected(level), forces.data());
+    if (!others.empty() || !mirrors.empty())
+        for (const Index v : affected(level)) forces.col(v) -= unbatched.col(v);
 }
 
 Positions ElasticGradient::at(const Positions& x) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <span>
+#include <utility>
 
 #include "core/batches/corner_sums.h"
 #include "core/batches/coupled_batches.h"
@@ -14,9 +16,12 @@ namespace sherd {
 /// The cubic hinges of a shell in batches, with the gradient of their energy.
 class HingeBatches {
   public:
-    /// Makes the batches, and appends the vertices of all hinges to `corners`.
-    void build(const Shell& shell, const std::vector<CubicHinge>& hinges, CornerSums& corners);
-    Index size() const { return static_cast<Index>(batches.size()); }
+    /// Makes the batches, and appends the vertices of all hinges to `corners`. levels: of the vertices.
+    /// Raises the entries of `at_vertices` to the levels of the hinges around them.
+    void build(const Shell& shell, const std::vector<CubicHinge>& hinges, const std::vector<Level>& levels,
+               CornerSums& corners, std::vector<Level>& at_vertices);
+    /// Number of the first batches, which together contain all hinges of at least this level.
+    Index size(int level) const { return batches_of(order.count(level)); }
 
     /// Writes the gradients, N, of the batches from `begin` to before `end` to their places in `corners`.
     void find(Index begin, Index end, const PaddedPositions& x, CornerSums& corners) const;
@@ -29,6 +34,7 @@ class HingeBatches {
         std::array<LaneIndices, 4> vertices;
         Index place;  ///< number in CornerSums of the first vertex's place
     };
+    LevelOrder order;
     std::vector<Batch> batches;
 };
 
@@ -43,10 +49,33 @@ class ElasticGradient {
                     Threads threads);
     ElasticGradient(const ElasticGradient&) = delete;
     /// Must be called when the shell has changed, or its state has been restored.
-    void shell_changed() { built = false; }
+    void shell_changed() {
+        built = false;
+        levels.clear();
+    }
+    /// Whether find_again() can be called: all energies are in batches.
+    bool is_local() const { return others.empty(); }
+    /// Sets the level of each vertex, [V], until the shell changes. By default all levels are 0.
+    void set_levels(std::vector<Level> of_vertices) {
+        if (levels == of_vertices) return;
+        levels = std::move(of_vertices);
+        built = false;
+    }
 
     /// Computes the gradient at x, [3, V] m.
     void find(const Positions& x);
+    /// Moves a vertex since the last find(); find_again() uses the new position.
+    void move(Index vertex, const Vector3d& to);
+    Vector3d position(Index vertex) const {
+        const Lanes& at_vertex = positions[vertex].coordinates;
+        return {at_vertex[0], at_vertex[1], at_vertex[2]};
+    }
+    /// Computes the gradient again after only vertices of at least `level` have been moved.
+    void find_again(int level);
+    /// The vertices whose gradients depend on vertices of at least `level`.
+    std::span<const Index> affected(int level) const { return vertices.of_level(level); }
+    /// Writes the forces on the vertices affected(level), N, to their columns of `forces`, [3, V].
+    void put_forces_again(int level, Positions& forces) const;
     /// Writes the forces of the last find(), N, on the vertices from `begin` to before `end` to their columns
     /// of `forces`, [3, V].
     void put_forces(Index begin, Index end, Positions& forces) const;
@@ -55,7 +84,7 @@ class ElasticGradient {
 
   private:
     void build();
-    void find_coupled(const Positions& x);
+    void find_coupled(int level);
 
     const Shell& shell;
     Threads threads;
@@ -65,7 +94,10 @@ class ElasticGradient {
     std::vector<const Energy*> others;               ///< energies that are not in batches
 
     bool built = false;
+    std::vector<Level> levels;  ///< levels of the vertices; empty: all are 0
+    LevelOrder vertices;        ///< by the levels of their gradients
     PaddedPositions positions;
+    Positions unpadded;  ///< [3, V] m, positions for energies that are not in batches
     CornerSums corners;
     FaceBatches faces;
     HingeBatches hinges;

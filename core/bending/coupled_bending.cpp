@@ -236,4 +236,11 @@ void CoupledBending::add_pattern(std::vector<std::pair<Index, Index>>& pairs) co
         add_pairs(pairs, std::span<const Index>(vertices));
 }
 
+void CoupledBending::add_pattern_among(const std::vector<char>& among,
+                                       std::vector<std::pair<Index, Index>>& pairs) const {
+    for (const auto& [vertices, places] : reach_of_faces())
+        if (std::ranges::all_of(vertices, [&](Index v) { return among[v] != 0; }))
+            add_pairs(pairs, std::span<const Index>(vertices));
+}
+
 }  // namespace sherd

@@ -67,6 +67,8 @@ class CoupledBending : public Energy {
     void add_gradient(const Positions& x, Positions& gradient) const override;
     void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const override;
     void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const override;
+    void add_pattern_among(const std::vector<char>& among,
+                           std::vector<std::pair<Index, Index>>& pairs) const override;
     void visit_state(StateVisitor& visit) override {
         auto& [shell, folds, curvature, present, start, scale, yields, plastic, reach, reach_is_valid,
                slopes] = *this;

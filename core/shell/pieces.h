@@ -19,4 +19,8 @@ struct Pieces {
 /// contain.
 Pieces pieces(const Shell& shell, const std::vector<std::pair<Index, Index>>& links = {}, Index others = 0);
 
+/// Finds the groups of the vertices v with among[v] != 0 that faces connect; the number of other vertices is
+/// -1.
+Pieces groups_among(const Shell& shell, const std::vector<char>& among);
+
 }  // namespace sherd

@@ -3,19 +3,35 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include "core/shell/patch_momentum.h"
 #include "core/shell/supports.h"
 #include "core/time/stable_substep.h"
+#include "core/time/substep_levels.h"
 
 namespace sherd {
 namespace {
 
-/// Contact that begins or ends within a substep causes an error in energy of the order of (substep times
-/// frequency) squared: substeps with contact have a third of the stable length.
-constexpr double resolution_of_contact = 3;
-/// Growth of the largest strain after which the highest frequency is estimated again: the membrane's
+/// Contact that begins or ends within a part of a substep causes an error in energy of the order of (length
+/// of the part times frequency) squared: parts with contact have a third of the stable length.
+constexpr double resolution_of_contact = 3,
+                 resolution_squared = resolution_of_contact * resolution_of_contact;
+/// Margin of the motion in a step that is predicted from the velocity.
+constexpr double margin_of_motion = 1.5;
+/// Elasticity acts on a vertex in contact only at the beginning and the end of a substep. So that this
+/// excites no vibration of the contact, the substep is stable for the sum of the squared frequencies of
+/// elasticity and contact; for vertices with levels above 0, for this multiple of that of contact.
+constexpr double contact_with_level = 1.8;
+/// Number of substeps in place of each one while edges open: cohesive forces fade from substep to substep.
+constexpr int substeps_of_opening = 2;
+/// Shortest substeps with local steps, over the coefficient of stiffness-proportional damping.
+constexpr double least_over_damping = 10;
+/// Share of the stable substep that is taken. Bounds on frequencies are from above, but large motions stiffen
+/// the sheet; rates of contact are those at the beginning of the step.
+constexpr double safety_of_bounds = 0.9, safety_of_contact = 0.8;
+/// Growth of the largest strain after which all bounds are computed again: the membrane's
 /// stiffness along a stretch grows by three times this share.
 constexpr double growth = 0.05;
 constexpr int most_again = 50'000;  // substeps of a repeated step; with more, the program would seem to hang
@@ -43,26 +59,13 @@ ExplicitStepper::ExplicitStepper(Shell& shell, const StepperOptions& options, St
     : Stepper(shell, options, start),
       threads(options.threads),
       elastic_gradient(shell, forces, options.shell, threads),
+      local_steps(shell, elastic_gradient),
       contact(shell, options.contact, start.contact, options.gravity, threads),
       elastic(forces.elastic()),
       step{0, options.step, options.step, shell.position, shell.velocity, {}},
       length(options.step),
       velocity(shell.velocity),
       acceleration(Positions::Zero(3, shell.position.cols())) {}
-
-Vector3d ExplicitStepper::Forces::on(Index v) const {
-    Vector3d all = elastic.col(v) + contact.force.col(v);
-    if (damping.cols() > 0) all += damping.col(v);
-    if (opening.cols() > 0) all += opening.col(v);
-    for (const Positions& one : outer) all += one.col(v);
-    return all;
-}
-
-Positions ExplicitStepper::Forces::sum() const {
-    Positions all(3, elastic.cols());
-    for (Index v = 0; v < static_cast<Index>(all.cols()); ++v) all.col(v) = on(v);
-    return all;
-}
 
 StepResult ExplicitStepper::begin(double of_step) try {
     open(of_step);
@@ -86,8 +89,13 @@ void ExplicitStepper::open(double of_step) {
     ledger.begin(stored(), moving(velocity, position));
     work = {};
     inertia_work = 0;
-    choose_substep();
-    if (first || made) update_forces();
+    const bool stale = choose_substeps();
+    if (first || made)
+        update_forces();
+    else if (stale)
+        update_elastic_forces();
+    else
+        accelerate_inner();
     first = made = false;
 }
 
@@ -95,41 +103,108 @@ void ExplicitStepper::discard() {
     if (made) contact.of_bodies().restart();
 }
 
-void ExplicitStepper::choose_substep() {
+double ExplicitStepper::stable(double squared_frequency, double share) const {
+    return stable_substep(std::sqrt(squared_frequency), options.shell.damping, step.length, share);
+}
+
+bool ExplicitStepper::choose_substeps() {
+    const double length_before = length;
+    const std::vector<Level> levels_before = levels;
+    if (update_bounds() || divided != step.length) choose_levels();
+    follow_contact();
+    return levels != levels_before || (length != length_before && local_steps.highest() > 0);
+}
+
+bool ExplicitStepper::update_bounds() {
     const Stopwatch watch(spent, Task::elasticity);
     const double strain = forces.face_strains(shell.position).cwiseAbs().maxCoeff();
-    // The frequency is estimated after every crack: a face that a crack separates may have a far higher
-    // frequency than with its neighbours.
-    if (changed || strain > strain_at_estimate + growth) {
-        shell_frequency = highest_frequency([this](const Positions& x) { return elastic_gradient.at(x); },
-                                            shell, shell.position, mode);
-        changed = false;
-        strain_at_estimate = strain;
+    // Bounds change with every crack: a face that a crack separates may have a far higher frequency than with
+    // its neighbours.
+    if (strain > strain_at_bounds + growth || bounds.squares().size() == 0) {
+        bounds.find(elastic, shell, shell.position);
+        strain_at_bounds = strain;
+    } else if (changed) {
+        bounds.follow(elastic, shell, shell.position);
+    } else {
+        return false;
     }
+    changed = false;
+    return true;
+}
+
+void ExplicitStepper::choose_levels() {
+    VectorXd longest = bounds.squares();
+    for (double& of_vertex : longest) of_vertex = stable(of_vertex, safety_of_bounds);
+    SubstepLevels chosen = substep_levels(shell, longest, step.length,
+                                          {elastic_gradient.is_local(), LocalSteps::share_of_stable,
+                                           least_over_damping * options.shell.damping.stiffness,
+                                           divided == step.length ? elastic_substeps : 0});
+    substeps = elastic_substeps = chosen.substeps;
+    levels = std::move(chosen.levels);
+    local_steps.set_levels(levels);
+    divided = step.length;
+}
+
+void ExplicitStepper::follow_contact() {
+    const Stopwatch watch(spent, Task::contact);
     // Gravity is included: a sheet at rest that just touches another comes into contact within the step.
-    Positions motion = step.length * shell.velocity;
+    Positions motion = margin_of_motion * step.length * shell.velocity;
     motion.colwise() += step.length * step.length * options.gravity;
-    contact_frequency = resolution_of_contact * std::sqrt(contact.largest_rate(step, motion));
-    const double highest = std::hypot(shell_frequency, contact_frequency);
-    const double stable = stable_substep(highest, options.shell.damping, step.length);
-    substeps = std::max(1, static_cast<int>(std::ceil(step.length / stable - 1e-9)));
+    const ContactRates rates = contact.rates(step, motion);
+    std::vector<Index> touching;
+    double longest = step.length / elastic_substeps;
+    for (Index v = 0; v < static_cast<Index>(rates.of_vertices.size()); ++v) {
+        const double rate = rates.of_vertices[v];
+        if (rate == 0) continue;
+        touching.push_back(v);
+        const double both = levels[v] > 0 ? contact_with_level * rate : bounds.squares()[v] + rate;
+        longest = std::min(longest, stable(both, safety_of_bounds));
+    }
+    const int needed = (opening.empty() ? 1 : substeps_of_opening) * substeps_of(step.length, longest);
+    // Each change of the substep changes the effective forces of local steps, and so excites vibrations: with
+    // levels above 0 the substep only becomes shorter, until the levels change.
+    substeps = std::max(local_steps.highest() > 0 ? substeps : 1, needed);
     length = step.length / substeps;
+    const double highest = std::max(rates.of_bodies, rates.of_vertices.maxCoeff());
+    parts = highest > 0 ? substeps_of(length, stable(resolution_squared * highest, safety_of_contact)) : 1;
+    set_inner(std::move(touching));
+    contact.look_at(inner, step, motion);
+}
+
+void ExplicitStepper::set_inner(std::vector<Index> vertices) {
+    std::vector<char> stays(shell.mass.size(), 0);
+    for (const Index v : vertices) stays[v] = 1;
+    // Vertices that leave keep no force.
+    for (ContactForces* of : {&contact_before, &contact_now})
+        for (const Index v : inner)
+            if (stays[v] == 0 && v < static_cast<Index>(of->force.cols())) {
+                of->force.col(v).setZero();
+                of->friction.col(v).setZero();
+            }
+    is_inner = std::move(stays);
+    inner = std::move(vertices);
 }
 
 void ExplicitStepper::visit_state(StateVisitor& visit) {
     static_assert(
-        has_only<ExplicitStepper, Stepper, decltype(threads), decltype(elastic_gradient), decltype(contact),
-                 decltype(opening), decltype(elastic), decltype(step), decltype(shell_frequency),
-                 decltype(contact_frequency), decltype(substeps), decltype(length), decltype(first),
-                 decltype(made), decltype(changed), decltype(strain_at_estimate), decltype(mode),
-                 decltype(velocity), decltype(acceleration), decltype(forces_now), decltype(mass),
-                 decltype(inverse_mass), decltype(gravity), decltype(guided), decltype(moved),
-                 decltype(acceleration_before), decltype(forces_before), decltype(energies_now),
-                 decltype(work), decltype(inertia_work)>());
+        has_only<ExplicitStepper, Stepper, decltype(threads), decltype(elastic_gradient),
+                 decltype(local_steps), decltype(contact), decltype(opening), decltype(elastic),
+                 decltype(step), decltype(bounds), decltype(strain_at_bounds), decltype(levels),
+                 decltype(divided), decltype(elastic_substeps), decltype(inner), decltype(is_inner),
+                 decltype(substeps), decltype(parts), decltype(length), decltype(first), decltype(made),
+                 decltype(changed), decltype(velocity), decltype(acceleration), decltype(inner_acceleration),
+                 decltype(outer_now), decltype(contact_now), decltype(mass), decltype(inverse_mass),
+                 decltype(gravity), decltype(guided), decltype(moved), decltype(moved_in_part),
+                 decltype(acceleration_before), decltype(inner_acceleration_before), decltype(outer_before),
+                 decltype(contact_before), decltype(energies_now), decltype(work), decltype(inertia_work)>());
     Stepper::visit_state(visit);
-    if (visit.reads()) elastic_gradient.shell_changed();
-    visit(contact, opening, step, shell_frequency, contact_frequency, substeps, length, first, made, changed,
-          strain_at_estimate, mode, velocity, acceleration, forces_now, energies_now, work, inertia_work);
+    visit(local_steps, contact, opening, step, bounds, strain_at_bounds, levels, divided, elastic_substeps,
+          inner, is_inner, substeps, parts, length, first, made, changed, velocity, acceleration,
+          inner_acceleration, outer_now, contact_now, energies_now, work, inertia_work);
+    if (visit.reads()) {
+        elastic_gradient.shell_changed();
+        local_steps.set_levels(levels);
+    }
 }
 
 template <class Range>
@@ -137,45 +212,90 @@ void ExplicitStepper::share_vertices(const Range& range) const {
     threads.share_ranges(static_cast<Index>(position.cols()), vertices_at_once, range);
 }
 
-void ExplicitStepper::find_forces() {
-    {
-        const Stopwatch watch(spent, Task::elasticity);
-        elastic_gradient.find(position);
-    }
-    forces_now.outer.resize(forces.outer().size());
+void ExplicitStepper::update_forces() {
+    find_given_forces();
+    contact_now.force.resize(3, 0);
+    contact_before.force.resize(3, 0);
+    find_contact_forces(length / parts);
+    outer_now.damping.setZero(3, options.shell.damping.stiffness > 0 ? position.cols() : 0);
+    update_elastic_forces();
+}
+
+void ExplicitStepper::update_elastic_forces() {
+    find_elastic_forces();
+    accelerate_outer();
+    accelerate_inner();
+}
+
+void ExplicitStepper::find_given_forces() {
+    outer_now.given.resize(forces.outer().size());
     for (std::size_t i = 0; i < forces.outer().size(); ++i) {
         const Stopwatch watch(spent, Task::loads);
         const OuterEnergy& outer = forces.outer()[i];
-        Positions& force = forces_now.outer[i];
+        Positions& force = outer_now.given[i];
         force.setZero(3, position.cols());
         outer.energy->add_gradient(
             outer.of_velocity ? Positions(step.origin + step.lag * velocity) : position, force);
         force *= -1;
     }
-    forces_now.opening.setZero(3, opening.empty() ? 0 : position.cols());
-    opening.add_forces(forces_now.opening);
+    outer_now.opening.setZero(3, opening.empty() ? 0 : position.cols());
+    opening.add_forces(outer_now.opening);
+}
+
+void ExplicitStepper::find_elastic_forces() {
+    const Stopwatch watch(spent, Task::elasticity);
+    outer_now.elastic.resize(3, position.cols());
+    if (local_steps.highest() == 0) {
+        elastic_gradient.find(position);
+        share_vertices(
+            [&](Index begin, Index end) { elastic_gradient.put_forces(begin, end, outer_now.elastic); });
+    } else {
+        Positions others = options.gravity * shell.mass.transpose() + contact_now.force;
+        if (outer_now.opening.cols() > 0) others += outer_now.opening;
+        for (const Positions& one : outer_now.given) others += one;
+        local_steps.find(position, length, others, outer_now.elastic);
+    }
+}
+
+void ExplicitStepper::find_contact_forces(double length_of_part) {
     const Stopwatch watch(spent, Task::contact);
-    contact.find_forces({length, position, velocity}, forces_now.contact);
+    contact.find_forces({length_of_part, position, velocity}, contact_now);
 }
 
-void ExplicitStepper::update_forces() {
-    find_forces();
-    forces_now.elastic.resize(3, position.cols());
-    forces_now.damping.setZero(3, options.shell.damping.stiffness > 0 ? position.cols() : 0);
-    elastic_gradient.put_forces(0, static_cast<Index>(position.cols()), forces_now.elastic);
-    accelerate();
+void ExplicitStepper::accelerate_outer() {
+    acceleration.resize(3, position.cols());
+    share_vertices([&](Index begin, Index end) {
+        const auto some = [&](auto& all) { return range_of(all, begin, end); };
+        auto accelerations = some(acceleration);
+        accelerations = some(outer_now.elastic);
+        if (outer_now.damping.cols() > 0) accelerations += some(outer_now.damping);
+        if (outer_now.opening.cols() > 0) accelerations += some(outer_now.opening);
+        for (const Positions& one : outer_now.given) accelerations += some(one);
+        accelerations = accelerations * some(inverse_mass) + some(gravity);
+        for (auto v = std::ranges::lower_bound(guided, begin); v != guided.end() && *v < end; ++v)
+            acceleration.col(*v) = constrained(shell, *v, acceleration.col(*v));
+    });
 }
 
-void ExplicitStepper::accelerate(Index begin, Index end) {
-    const auto some = [&](auto& all) { return range_of(all, begin, end); };
-    auto accelerations = some(acceleration);
-    accelerations = some(forces_now.elastic) + some(forces_now.contact.force);
-    if (forces_now.damping.cols() > 0) accelerations += some(forces_now.damping);
-    if (forces_now.opening.cols() > 0) accelerations += some(forces_now.opening);
-    for (const Positions& one : forces_now.outer) accelerations += some(one);
-    accelerations = accelerations * some(inverse_mass) + some(gravity);
-    for (auto v = std::ranges::lower_bound(guided, begin); v != guided.end() && *v < end; ++v)
-        acceleration.col(*v) = constrained(shell, *v, acceleration.col(*v));
+void ExplicitStepper::accelerate_inner() {
+    inner_acceleration.resize(3, position.cols());
+    for (const Index v : inner)
+        inner_acceleration.col(v) =
+            constrained(shell, v, contact_now.force.col(v).cwiseProduct(inverse_mass.col(v)));
+}
+
+Vector3d ExplicitStepper::OuterForces::on(Index v) const {
+    Vector3d all = elastic.col(v);
+    if (damping.cols() > 0) all += damping.col(v);
+    if (opening.cols() > 0) all += opening.col(v);
+    for (const Positions& one : given) all += one.col(v);
+    return all;
+}
+
+Positions ExplicitStepper::accelerations() const {
+    Positions all = acceleration;
+    for (const Index v : inner) all.col(v) += inner_acceleration.col(v);
+    return all;
 }
 
 void ExplicitStepper::measure_vertices() {
@@ -216,7 +336,7 @@ int ExplicitStepper::make_step_again() {
     ledger.scheme_changed();  // contact springs under load may have another stiffness now
     try {
         open(step.length);
-        if (substeps > most_again) ExplicitContact::refuse_passage();
+        if (substeps * parts > most_again) ExplicitContact::refuse_passage();
         return make_step();
     } catch (const std::runtime_error&) {  // too many substeps: the impact, the cause, is reported
         ExplicitContact::refuse_passage();
@@ -232,7 +352,7 @@ int ExplicitStepper::make_step() {
         inertia_work - kinetic_energy(mass, velocity) + kinetic_energy(mass, shell.velocity);
     ledger.moves(moving(velocity, position));
     require_stable(position.allFinite());
-    return substeps;
+    return substeps * parts;
 }
 
 PotentialEnergies ExplicitStepper::elastic_energies() const {
@@ -240,79 +360,79 @@ PotentialEnergies ExplicitStepper::elastic_energies() const {
     return *energies_now;
 }
 
-void ExplicitStepper::move(double end) {
-    moved.resize(3, position.cols());
-    share_vertices([&](Index begin, Index end_of_range) {
-        const auto some = [&](auto& all) { return range_of(all, begin, end_of_range); };
-        some(velocity) += length / 2 * some(acceleration);
-        some(moved) = some(position);
-        some(position) += length * some(velocity);
-        some(moved) = some(position) - some(moved);
-    });
-    if (!shell.motions.empty()) move_scripted(end);
-}
-
-void ExplicitStepper::move_scripted(double end) {
-    const Positions drifted = position;
-    place_scripted(shell, end, position);
-    for (Index v = 0; v < static_cast<Index>(shell.script.size()); ++v)
-        if (shell.script[v] != 0) {
-            moved.col(v) += position.col(v) - drifted.col(v);
-            const Vector3d now = moved.col(v) / length;
-            const double change = 0.5 * shell.mass[v] * (now.squaredNorm() - velocity.col(v).squaredNorm());
-            work.balance.work_of_supports += change - shell.mass[v] * options.gravity.dot(moved.col(v));
-            velocity.col(v) = now;
-        }
-}
-
 void ExplicitStepper::make_substep(double from) {
     StepContext substep;
     substep.begin = from;
     substep.length = length;
-    contact.of_bodies().kick(length);
-    move(substep.end());
-    contact.of_bodies().drift(length);
-    contact.place(from, substep.end());
+    kick_all();
+    moved = position;
+    share_vertices([&](Index begin, Index end) {
+        range_of(position, begin, end) += length * range_of(velocity, begin, end);
+    });
+    for (const Index v : inner) position.col(v) = moved.col(v);
+    for (int i = 0; i < parts; ++i) make_part(from + length * i / parts, length / parts);
+    if (!shell.motions.empty()) place_scripted(shell, substep.end(), position);
+    share_vertices([&](Index begin, Index end) {
+        range_of(moved, begin, end) = range_of(position, begin, end) - range_of(moved, begin, end);
+    });
+    if (!shell.motions.empty()) follow_script(false, moved, length);
     if (forces.mirrors_move())
         for (Energy* energy : elastic) energy->begin(substep);
     opening.fade(moved, length);
-    std::swap(forces_before, forces_now);
+    std::swap(outer_before, outer_now);
     std::swap(acceleration_before, acceleration);
-    find_forces();
-    const Work of_substep = kick();
-    contact.of_bodies().kick(length);
+    find_given_forces();
+    find_elastic_forces();
+    outer_now.damping.resize(3, outer_before.damping.cols());
+    if (outer_now.damping.cols() > 0)
+        outer_now.damping =
+            options.shell.damping.stiffness / length * (outer_now.elastic - outer_before.elastic);
+    accelerate_outer();
+    kick_all();
+    enter_outer_work();
     const double of_mirrors = forces.mirror_work(substep, position);
     work.balance.work_of_supports += of_mirrors;
     work.against_stored += of_mirrors;
-    enter(of_substep);
 }
 
-ExplicitStepper::Work ExplicitStepper::kick() {
-    const double damping = options.shell.damping.stiffness;
-    forces_now.elastic.resize(3, position.cols());
-    forces_now.damping.resize(3, damping > 0 ? position.cols() : 0);
-    acceleration.resize(3, position.cols());
-    std::vector<Work> of_ranges((position.cols() + vertices_at_once - 1) / vertices_at_once);
+void ExplicitStepper::make_part(double from, double length_of_part) {
+    kick_inner(length_of_part);
+    contact.of_bodies().kick(length_of_part);
+    moved_in_part.resize(3, position.cols());
+    for (const Index v : inner) moved_in_part.col(v) = position.col(v);
+    for (const Index v : inner) position.col(v) += length_of_part * velocity.col(v);
+    if (!shell.motions.empty()) place_scripted(shell, from + length_of_part, position);
+    for (const Index v : inner) moved_in_part.col(v) = position.col(v) - moved_in_part.col(v);
+    if (!shell.motions.empty()) follow_script(true, moved_in_part, length_of_part);
+    contact.of_bodies().drift(length_of_part);
+    contact.place(from, from + length_of_part);
+    std::swap(contact_before, contact_now);
+    std::swap(inner_acceleration_before, inner_acceleration);
+    find_contact_forces(length_of_part);
+    accelerate_inner();
+    kick_inner(length_of_part);
+    contact.of_bodies().kick(length_of_part);
+    enter_inner_work();
+}
+
+void ExplicitStepper::kick_all() {
     share_vertices([&](Index begin, Index end) {
-        const auto some = [&](auto& all) { return range_of(all, begin, end); };
-        elastic_gradient.put_forces(begin, end, forces_now.elastic);
-        const auto elastic_then = some(forces_before.elastic), elastic_now = some(forces_now.elastic);
-        if (damping > 0) some(forces_now.damping) = damping / length * (elastic_now - elastic_then);
-        accelerate(begin, end);
-        some(velocity) += length / 2 * some(acceleration);
-        const ContactForces &then = forces_before.contact, &now = forces_now.contact;
-        of_ranges[begin / vertices_at_once] = {
-            -0.5 * ((elastic_then + elastic_now + some(then.force) + some(now.force)) * some(moved)).sum(),
-            0.5 * (some(mass) * (some(acceleration_before) + some(acceleration)) * some(moved)).sum(),
-            -0.5 * ((some(then.friction) + some(now.friction)) * some(moved)).sum()};
+        range_of(velocity, begin, end) += length / 2 * range_of(acceleration, begin, end);
     });
-    Work all;
-    for (const Work& of_range : of_ranges) {
-        all.of_inertia += of_range.of_inertia;
-        all.against_stored += of_range.against_stored;
-        all.lost_to_friction += of_range.lost_to_friction;
-    }
-    return all;
+}
+
+void ExplicitStepper::kick_inner(double length_of_part) {
+    for (const Index v : inner) velocity.col(v) += length_of_part / 2 * inner_acceleration.col(v);
+}
+
+void ExplicitStepper::follow_script(bool inside, const Positions& way, double duration) {
+    for (Index v = 0; v < static_cast<Index>(shell.script.size()); ++v)
+        if (shell.script[v] != 0 && (is_inner[v] != 0) == inside) {
+            const Vector3d now = way.col(v) / duration;
+            const double change = 0.5 * shell.mass[v] * (now.squaredNorm() - velocity.col(v).squaredNorm());
+            work.balance.work_of_supports += change - shell.mass[v] * options.gravity.dot(way.col(v));
+            velocity.col(v) = now;
+        }
 }
 
 double ExplicitStepper::taken(const Positions& before, const Positions& now) const {
@@ -322,34 +442,66 @@ double ExplicitStepper::taken(const Positions& before, const Positions& now) con
     return sum;
 }
 
-void ExplicitStepper::enter(const Work& of_substep) {
+void ExplicitStepper::enter_outer_work() {
+    struct Sums {
+        double against_stored = 0, of_inertia = 0;
+    };
+    std::vector<Sums> of_ranges((position.cols() + vertices_at_once - 1) / vertices_at_once);
+    share_vertices([&](Index begin, Index end) {
+        const auto some = [&](auto& all) { return range_of(all, begin, end); };
+        of_ranges[begin / vertices_at_once] = {
+            -0.5 * ((some(outer_before.elastic) + some(outer_now.elastic)) * some(moved)).sum(),
+            0.5 * (some(mass) * (some(acceleration_before) + some(acceleration)) * some(moved)).sum()};
+    });
+    for (const Sums& sums : of_ranges) {
+        work.against_stored += sums.against_stored;
+        inertia_work += sums.of_inertia;
+    }
     EnergyBalance& balance = work.balance;
-    const Forces& before = forces_before;
-    balance.lost_to_damping += taken(before.damping, forces_now.damping);
-    balance.lost_to_cracks += taken(before.opening, forces_now.opening);
-    for (std::size_t i = 0; i < before.outer.size(); ++i)
-        balance.take(forces.outer()[i].part, taken(before.outer[i], forces_now.outer[i]));
-    const ContactForces &then = before.contact, &now = forces_now.contact;
-    const double of_obstacles =
-        contact.obstacle_work(means(then.obstacles, now.obstacles), 0.5 * (then.deforming + now.deforming));
-    const double of_friction =
-        of_substep.lost_to_friction +
-        contact.obstacle_work(means(then.obstacle_friction, now.obstacle_friction),
-                              0.5 * (then.deforming_friction + now.deforming_friction));
-    balance.work_of_obstacles += of_obstacles;
-    balance.lost_to_friction += of_friction;
-    work.against_stored += of_substep.against_stored + of_obstacles - of_friction;
-    inertia_work += of_substep.of_inertia;
+    balance.lost_to_damping += taken(outer_before.damping, outer_now.damping);
+    balance.lost_to_cracks += taken(outer_before.opening, outer_now.opening);
+    for (std::size_t i = 0; i < outer_now.given.size(); ++i)
+        balance.take(forces.outer()[i].part, taken(outer_before.given[i], outer_now.given[i]));
     if (shell.motions.empty()) return;
     // Supports with a prescribed motion work against all forces on their vertices.
     for (Index v = 0; v < static_cast<Index>(shell.script.size()); ++v)
         if (shell.script[v] != 0)
-            balance.work_of_supports -= 0.5 * (before.on(v) + forces_now.on(v)).dot(moved.col(v));
+            balance.work_of_supports -= 0.5 * (outer_before.on(v) + outer_now.on(v)).dot(moved.col(v));
+}
+
+void ExplicitStepper::enter_inner_work() {
+    EnergyBalance& balance = work.balance;
+    const ContactForces &then = contact_before, &now = contact_now;
+    double against_stored = 0, friction = 0;
+    for (const Index v : inner) {
+        const Vector3d way = 0.5 * moved_in_part.col(v), force = then.force.col(v) + now.force.col(v);
+        against_stored -= force.dot(way);
+        friction -= (then.friction.col(v) + now.friction.col(v)).dot(way);
+        inertia_work +=
+            shell.mass[v] * (inner_acceleration_before.col(v) + inner_acceleration.col(v)).dot(way);
+        if (shell.script[v] != 0) balance.work_of_supports -= force.dot(way);
+    }
+    const double of_obstacles =
+        contact.obstacle_work(means(then.obstacles, now.obstacles), 0.5 * (then.deforming + now.deforming));
+    const double of_friction =
+        friction + contact.obstacle_work(means(then.obstacle_friction, now.obstacle_friction),
+                                         0.5 * (then.deforming_friction + now.deforming_friction));
+    balance.work_of_obstacles += of_obstacles;
+    balance.lost_to_friction += of_friction;
+    work.against_stored += against_stored + of_obstacles - of_friction;
 }
 
 void ExplicitStepper::topology_changed(const ShellChange& change) {
+    // The forces before and after the change are compared: both without local steps, whose levels do not suit
+    // the changed shell.
+    if (local_steps.highest() > 0) {
+        outer_now.elastic = local_steps.without_levels();
+        accelerate_outer();
+    }
+    levels.clear();
+    local_steps.set_levels(levels);
+    Positions before = accelerations();
     follow_in_motion(shell, change, position, velocity);
-    if (mode.cols() > 0) follow(mode, change);
     step.origin = shell.position;
     step.velocity_origin = shell.velocity;
     for (Energy* energy : elastic) energy->topology_changed(change, step);
@@ -358,20 +510,22 @@ void ExplicitStepper::topology_changed(const ShellChange& change) {
     elastic_gradient.shell_changed();
     changed = true;
     energies_now.reset();
-    append(acceleration, change.vertices);
+    append(before, change.vertices);
     measure_vertices();
-    const Positions before = acceleration;
+    std::vector<Index> all(position.cols());
+    std::iota(all.begin(), all.end(), 0);
+    set_inner(std::move(all));
     update_forces();
     const double gone = ledger.topology_changed(stored(), moving(velocity, position), change.remeshes());
     if (!change.opening) return;
     opening.open(*change.opening, balancing_forces(before), position, gone);
-    forces_now.opening.setZero(3, position.cols());
-    opening.add_forces(forces_now.opening);
-    accelerate();
+    outer_now.opening.setZero(3, position.cols());
+    opening.add_forces(outer_now.opening);
+    accelerate_outer();
 }
 
 Positions ExplicitStepper::balancing_forces(const Positions& before) const {
-    Positions kept = (before - acceleration) * shell.mass.asDiagonal();
+    Positions kept = (before - accelerations()) * shell.mass.asDiagonal();
     constrain(shell, kept);
     return kept;
 }
@@ -398,14 +552,16 @@ std::vector<Reaction> ExplicitStepper::reactions() const {
     if (options.supports > 0) {
         // Reactions are the blocked forces. Mass times acceleration, zero unless a support moves, is left
         // out.
-        Positions blocked = -forces_now.sum();
+        Positions blocked(3, position.cols());
+        for (Index v = 0; v < static_cast<Index>(position.cols()); ++v)
+            blocked.col(v) = -outer_now.on(v) - contact_now.force.col(v);
         blocked -= options.gravity * shell.mass.transpose();
         Positions free = blocked;
         constrain(shell, free);
         add_reactions(shell, position, blocked - free, all);
         forces.add_mirror_reactions(position, all);
     }
-    all.insert(all.end(), forces_now.contact.obstacles.begin(), forces_now.contact.obstacles.end());
+    all.insert(all.end(), contact_now.obstacles.begin(), contact_now.obstacles.end());
     return all;
 }
 

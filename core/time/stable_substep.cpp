@@ -9,9 +9,6 @@
 namespace sherd {
 namespace {
 
-/// Share of the critical time step that is taken: the frequency is estimated from below, and contact and
-/// large motions stiffen the sheet.
-constexpr double safety = 0.8;
 constexpr double most_substeps = 1e6;  // largest number in a step
 
 }  // namespace
@@ -23,13 +20,13 @@ void require_stable(bool is_stable) {
             "help");
 }
 
-double stable_substep(double highest, const Damping& damping, double step) {
+double stable_substep(double highest, const Damping& damping, double step, double share) {
     const double damped = 0.5 * damping.stiffness * highest;
     // Equals 2 / highest (sqrt(1 + d^2) - d), without its cancellation.
     const double of_forces = 2 / highest / (std::sqrt(1 + damped * damped) + damped);
     // Damping by the medium takes the velocity before the substep; if it changed this velocity by more than
     // twice its size, the velocity would grow.
-    const double stable = safety * std::min(of_forces, 2 / damping.mass);
+    const double stable = share * std::min(of_forces, 2 / damping.mass);
     require_stable(!std::isnan(stable));
     if (step < most_substeps * stable) return stable;
     std::ostringstream text;
@@ -37,6 +34,10 @@ double stable_substep(double highest, const Damping& damping, double step) {
          << " s, more than a million a step: the sheet is too stiff, too light or too damped, or a triangle "
             "is a needle (sherd check warns of such values); correct that, or use implicit steps";
     throw std::runtime_error(text.str());
+}
+
+int substeps_of(double duration, double longest) {
+    return std::max(1, static_cast<int>(std::ceil(duration / longest - 1e-9)));
 }
 
 }  // namespace sherd

@@ -152,6 +152,8 @@ class ContactSurface {
     double area_on_collider(PairKind kind, const std::array<Index, 4>& vertices) const;
     /// Compliance times area of the materials between the middle surfaces, m/Pa.
     double column(PairKind kind, const std::array<Index, 4>& vertices) const;
+    /// Factor of the stiffness of a spring at a vertex that is much lighter than the pair's other vertices.
+    double share_of_light(const std::array<Index, 4>& vertices) const;
     void add_colliders();
     void add_sheet_edges();
     void find_largest_thicknesses();

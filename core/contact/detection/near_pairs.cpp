@@ -18,7 +18,8 @@ constexpr double margin_of_candidates = 0.5, nearby = 0.1, ahead = 12;
 /// length of the motion, up to margin_of_width mean widths of triangles (mean_width()); the length of the
 /// motion that a search covers grows to ahead_of_width mean widths.
 constexpr double margin_of_motion = 2, margin_of_width = 0.2, ahead_of_width = 0.6;
-/// Largest multiple of the given motion that a search covers.
+/// Largest multiple of the given motion that a search covers, unless the motion is so short that a larger
+/// multiple is still shorter than the margin.
 constexpr double most_steps = 10;
 /// Length, in mean widths of triangles, and largest number of the parts in which a motion is tested. The
 /// number of pairs within reach of a part grows with the square of the part's length: a diverging search
@@ -69,7 +70,8 @@ void NearPairs::find(const Positions& x, const Positions& motion) const {
     const double length = way.colwise().norm().maxCoeff();
     const double margin =
         std::max(margin_of_candidates * unit, std::min(margin_of_motion * length, margin_of_width * width));
-    const double steps = std::clamp(std::max(ahead * unit, ahead_of_width * width) / length, 1.0, most_steps);
+    const double most = length > 0 ? std::max(most_steps, margin / length) : most_steps;
+    const double steps = std::clamp(std::max(ahead * unit, ahead_of_width * width) / length, 1.0, most);
     found =
         ContactCandidates(of, Neighbourhood(x, steps * way, margin, of.collider_vertices()), trees, threads);
 }

@@ -74,8 +74,10 @@ double ExplicitBodies::rate_of_second_springs(std::size_t body, const StepContex
     const RigidBody& of = all[body];
     const double radius = of.surface->points.colwise().norm().maxCoeff();
     const double total = at_vertices[body].total_stiffness(step.origin, of.pose(), margin);
-    return times * (at_vertices[body].largest_rate(step.origin, of.pose(), margin) +
-                    total * largest_mobility(of, radius));
+    double largest = 0;
+    at_vertices[body].each_rate(step.origin, of.pose(), margin,
+                                [&](Index, double rate) { largest = std::max(largest, rate); });
+    return times * (largest + total * largest_mobility(of, radius));
 }
 
 std::vector<Eigen::Isometry3d> ExplicitBodies::with_bodies(std::span<const Eigen::Isometry3d> places) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -63,6 +64,17 @@ struct ContactForces {
         obstacles.assign(number_of_obstacles, {});
         obstacle_friction.assign(number_of_obstacles, {});
     }
+    /// Sets the forces on `some` vertices of the shell, and on colliders, to zero.
+    void clear_again(std::span<const Index> some) {
+        deforming.setZero();
+        deforming_friction.setZero();
+        for (const Index v : some) {
+            force.col(v).setZero();
+            friction.col(v).setZero();
+        }
+        std::ranges::fill(obstacles, Reaction{});
+        std::ranges::fill(obstacle_friction, Reaction{});
+    }
     /// Adds a friction force (N) that an obstacle exerts at the point `at` (m).
     void add_friction(std::size_t obstacle, const Vector3d& at, const Vector3d& friction_force) {
         obstacles[obstacle].add(at, friction_force);
@@ -82,6 +94,12 @@ struct ContactForces {
         force.col(vertex) += friction_force;
         friction.col(vertex) += friction_force;
     }
+};
+
+/// Upper bounds on the increase of squared frequencies, 1/s^2, by contact.
+struct ContactRates {
+    VectorXd of_vertices;  ///< [V] bounds; 0: the vertex meets nothing
+    double of_bodies = 0;  ///< bound for all bodies
 };
 
 /// A substep of an explicit step, and the shell's motion in it.

@@ -258,7 +258,7 @@ double ExplicitBodies::stored_energy(const Positions& x, std::span<const Eigen::
     return sum;
 }
 
-double ExplicitBodies::largest_rate(const StepContext& step, double margin) const {
+void ExplicitBodies::add_rates(const StepContext& step, double margin, ContactRates& sum) const {
     double largest = 0, of_points = 0;
     // The body's shape acts on a vertex with the stiffness of a column of sheet. The body's surface acts with
     // half of this stiffness through each of the two kinds of pair, hence the factor of two. If the body
@@ -266,8 +266,11 @@ double ExplicitBodies::largest_rate(const StepContext& step, double margin) cons
     // element's size, hence `longest`.
     for (std::size_t b = 0; b < all.size(); ++b) {
         const double reach = margin + (pairs[b] ? longest : 0);
-        largest = std::max(largest, 2 * at_vertices[b].largest_rate(step.origin, all[b].pose(), reach) +
-                                        rate_of_second_springs(b, step, reach));
+        const double of_second = rate_of_second_springs(b, step, reach);
+        at_vertices[b].each_rate(step.origin, all[b].pose(), reach, [&](Index v, double rate) {
+            sum.of_vertices[v] += 2 * rate + of_second;
+            largest = std::max(largest, 2 * rate + of_second);
+        });
     }
     for (const auto& [body, other, point] : points) {
         const double turning = all[body].mass * point.squaredNorm() / all[body].inertia.minCoeff();
@@ -275,7 +278,7 @@ double ExplicitBodies::largest_rate(const StepContext& step, double margin) cons
         of_points =
             std::max(of_points, all[body].points_at_once() * stiffness / all[body].mass * (1 + turning));
     }
-    return std::max(largest, of_points + rate_of_surfaces(step));
+    sum.of_bodies = std::max(largest, of_points + rate_of_surfaces(step));
 }
 
 void ExplicitBodies::add_touch(const Positions& x, std::span<const Eigen::Isometry3d> places,

@@ -66,9 +66,9 @@ class ExplicitBodies {
     /// Elastic energy, J, of all contacts of the bodies. x: [3, V] m, positions of the shell; places: poses
     /// of the obstacles.
     double stored_energy(const Positions& x, std::span<const Eigen::Isometry3d> places) const;
-    /// An upper bound on the square of the frequencies, 1/s^2, that contact of bodies may add in the step
-    /// (see ExplicitContact). margin: m, distance by which shell and bodies may approach each other.
-    double largest_rate(const StepContext& step, double margin) const;
+    /// Adds upper bounds on the squares of the frequencies, 1/s^2, that contact of bodies may add in the step
+    /// (see ContactRates). margin: m, distance by which shell and bodies may approach each other.
+    void add_rates(const StepContext& step, double margin, ContactRates& sum) const;
     void add_touch(const Positions& x, std::span<const Eigen::Isometry3d> places, Touch& touch) const;
 
     /// Work, J, of contact forces on the bodies since begin(); work_of_all(): work of contact forces and

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include "core/contact/explicit/contact_forces.h"
@@ -11,6 +12,8 @@
 namespace sherd {
 namespace {
 
+/// Weight in a pair that a vertex has at least while closest points slide.
+constexpr double least_weight = 0.01;
 constexpr std::uint8_t stiffest_second_spring = 2, most_halvings = 3;
 
 }  // namespace
@@ -25,6 +28,7 @@ ExplicitContact::ExplicitContact(const Shell& shell, ContactOptions given, const
     const std::vector<Obstacle>& obstacles = options.obstacles;
     for (const Obstacle& obstacle : obstacles) at_vertices.emplace_back(shell, obstacle, at_vertices.size());
     place(0, 0);
+    look_everywhere();
     const bool surfaces =
         std::ranges::any_of(obstacles, [](const Obstacle& obstacle) { return obstacle.surface != nullptr; });
     if (options.sheets || surfaces)
@@ -53,13 +57,17 @@ void ExplicitContact::begin(double time, bool first) {
 void ExplicitContact::shell_changed(const ShellChange& change) {
     bodies.shell_changed(change);
     if (sheets) sheets->surface_changed(change);
+    look_everywhere();
 }
 
 void ExplicitContact::find_forces(const Substep& at_end, ContactForces& sum) {
     const bool any_deforms = std::ranges::any_of(
         options.obstacles, [](const Obstacle& obstacle) { return obstacle.deformation != nullptr; });
-    sum.clear(at_end.position.cols(), options.obstacles.size(),
-              any_deforms ? sheets->surface().collider_vertices() : 0);
+    if (sum.force.cols() == at_end.position.cols())
+        sum.clear_again(vertices);
+    else
+        sum.clear(at_end.position.cols(), options.obstacles.size(),
+                  any_deforms ? sheets->surface().collider_vertices() : 0);
     add_obstacles(at_end, sum);
     bodies.add_forces(at_end, before, now, sum);
     if (sheets) add_sheets(at_end, sum);
@@ -69,7 +77,7 @@ void ExplicitContact::add_obstacles(const Substep& at_end, ContactForces& sum) c
     for (std::size_t o = 0; o < at_vertices.size(); ++o) {
         const double coefficient = options.obstacles[o].friction;
         at_vertices[o].add_springs(
-            at_end.position, now[o], Curvature::convex, [&](Index v, const PointForce& spring) {
+            vertices, at_end.position, now[o], Curvature::convex, [&](Index v, const PointForce& spring) {
                 const Vector3d at = at_end.position.col(v), normal = spring.gradient.normalized();
                 const Vector3d way =
                     at_end.velocity.col(v) - velocity_of_point(before[o], now[o], at, at_end.length);
@@ -84,28 +92,37 @@ void ExplicitContact::add_obstacles(const Substep& at_end, ContactForces& sum) c
     }
 }
 
-void ExplicitContact::add_sheets(const Substep& at_end, ContactForces& sum) const {
-    if (!shell.crack_faces.empty()) sum.force += crack_face_forces(at_end.position);
+void ExplicitContact::add_sheets(const Substep& at_end, ContactForces& sum) {
+    for (const CrackFaceStencil& crack_face : everywhere ? shell.crack_faces : touching_faces) {
+        const PairPositions slope = gradient(crack_face, columns(at_end.position, crack_face.vertices));
+        for (int v = 0; v < 4; ++v) sum.force.col(crack_face.vertices[v]) -= slope.col(v);
+    }
     const Positions& all = sheets->at_end(at_end.position);
     const Index first = sheets->surface().collider_vertices();
-    const std::vector<ContactPair>& pairs = sheets->active_pairs_of(all);
+    if (everywhere) {
+        active = sheets->active_pairs_of(all);
+    } else {
+        active.clear();
+        for (const ContactPair& pair : pairs)
+            if (within(pair.activation_distance, pair, columns(all, pair.vertices))) active.push_back(pair);
+    }
     threads.share_lots<PairPositions>(
-        pairs.size(),
+        active.size(),
         [&](std::size_t i, PairPositions& contact_force) {
-            contact_force = -gradient(pairs[i], columns(all, pairs[i].vertices));
+            contact_force = -gradient(active[i], columns(all, active[i].vertices));
         },
         [&](std::size_t i, std::span<const PairPositions> lot) {
             for (const PairPositions& contact_force : lot) {
-                const std::array<Index, 4>& vertices = pairs[i++].vertices;
-                const Index least = *std::ranges::min_element(vertices);
+                const std::array<Index, 4>& of_pair = active[i++].vertices;
+                const Index least = *std::ranges::min_element(of_pair);
                 for (int v = 0; v < 4; ++v) {
-                    if (vertices[v] < first) {
-                        sum.add_collider_force(vertices[v], contact_force.col(v));
+                    if (of_pair[v] < first) {
+                        sum.add_collider_force(of_pair[v], contact_force.col(v));
                         continue;
                     }
-                    sum.force.col(vertices[v] - first) += contact_force.col(v);
+                    sum.force.col(of_pair[v] - first) += contact_force.col(v);
                     if (least < first)
-                        sum.obstacles[sheets->obstacle_number(least)].add(all.col(vertices[v]),
+                        sum.obstacles[sheets->obstacle_number(least)].add(all.col(of_pair[v]),
                                                                           contact_force.col(v));
                 }
             }
@@ -139,24 +156,23 @@ PairPositions ExplicitContact::friction_of(const ContactPair& pair, const Subste
 void ExplicitContact::add_sheet_friction(const Substep& at_end, const Positions& all,
                                          ContactForces& sum) const {
     const Index first = sheets->surface().collider_vertices();
-    const std::vector<ContactPair>& pairs = sheets->active_pairs_of(all);
     threads.share_lots<PairPositions>(
-        pairs.size(),
+        active.size(),
         [&](std::size_t i, PairPositions& friction_force) {
-            friction_force = friction_of(pairs[i], at_end, all);
+            friction_force = friction_of(active[i], at_end, all);
         },
         [&](std::size_t i, std::span<const PairPositions> lot) {
             for (const PairPositions& friction_force : lot) {
-                const std::array<Index, 4>& vertices = pairs[i++].vertices;
-                const Index least = *std::ranges::min_element(vertices);
+                const std::array<Index, 4>& of_pair = active[i++].vertices;
+                const Index least = *std::ranges::min_element(of_pair);
                 for (int v = 0; v < 4; ++v) {
-                    if (vertices[v] < first) {
-                        sum.add_collider_friction(vertices[v], friction_force.col(v));
+                    if (of_pair[v] < first) {
+                        sum.add_collider_friction(of_pair[v], friction_force.col(v));
                         continue;
                     }
-                    sum.add_friction(vertices[v] - first, friction_force.col(v));
+                    sum.add_friction(of_pair[v] - first, friction_force.col(v));
                     if (least < first)
-                        sum.add_friction(sheets->obstacle_number(least), all.col(vertices[v]),
+                        sum.add_friction(sheets->obstacle_number(least), all.col(of_pair[v]),
                                          friction_force.col(v));
                 }
             }
@@ -173,15 +189,18 @@ double ExplicitContact::stored_energy(const Positions& x) const {
     return sum;
 }
 
-double ExplicitContact::largest_rate(const StepContext& step, const Positions& motion) {
+ContactRates ExplicitContact::rates(const StepContext& step, const Positions& motion) {
     const Positions& x = step.origin;
     const double way = motion.cols() > 0 ? std::sqrt(motion.colwise().squaredNorm().maxCoeff()) : 0;
-    double sum = bodies.largest_rate(step, way);
+    ContactRates sum{VectorXd::Zero(shell.mass.size())};
+    bodies.add_rates(step, way, sum);
     for (std::size_t o = 0; o < at_vertices.size(); ++o) {
         const Obstacle& obstacle = options.obstacles[o];
         for (const double time : {step.begin, step.end()})
             if (time == step.begin || obstacle.moves())
-                sum = std::max(sum, at_vertices[o].largest_rate(x, obstacle.motion.at(time), way));
+                at_vertices[o].each_rate(x, obstacle.motion.at(time), way, [&](Index v, double rate) {
+                    sum.of_vertices[v] = std::max(sum.of_vertices[v], rate);
+                });
     }
     if (!sheets) return sum;
     sheets->begin(step);
@@ -189,20 +208,51 @@ double ExplicitContact::largest_rate(const StepContext& step, const Positions& m
     // Gershgorin's bound: the row sum of a pair's stiffness matrix at a vertex is the stiffness times the
     // vertex's weight in the closest points times two, the sum of all weights.
     const Index first = sheets->surface().collider_vertices();
-    VectorXd rate = VectorXd::Zero(shell.mass.size());
     const Positions all = sheets->at_start(x);
     sheets->begin(substep);
     for (const ContactPair& pair : reached) {
         const Closest closest = closest_points(pair.kind, columns(all, pair.vertices));
         for (int i = 0; i < 4; ++i)
             if (pair.vertices[i] >= first)
-                rate[pair.vertices[i] - first] += 2 * std::abs(closest.weights[i]) *
-                                                  pair.largest_stiffness() /
-                                                  shell.mass[pair.vertices[i] - first];
+                sum.of_vertices[pair.vertices[i] - first] +=
+                    2 * std::max(least_weight, std::abs(closest.weights[i])) * pair.largest_stiffness() /
+                    shell.mass[pair.vertices[i] - first];
     }
-    for (const CrackFaceStencil& crack_face : shell.crack_faces)
-        for (const Index v : crack_face.vertices) rate[v] += 2 * crack_face.stiffness / shell.mass[v];
-    return sum + rate.maxCoeff();
+    each_touching_face(x, motion, [&](const CrackFaceStencil& crack_face) {
+        for (const Index v : crack_face.vertices)
+            sum.of_vertices[v] += 2 * crack_face.stiffness / shell.mass[v];
+    });
+    return sum;
+}
+
+template <class Visit>
+void ExplicitContact::each_touching_face(const Positions& x, const Positions& motion,
+                                         const Visit& visit) const {
+    if (!options.sheets) return;
+    for (const CrackFaceStencil& crack_face : shell.crack_faces) {
+        const PairPositions way = columns(motion, crack_face.vertices);
+        const double farthest = (way.colwise() - way.rowwise().mean()).colwise().norm().maxCoeff();
+        if (crack_face_opening(columns(x, crack_face.vertices)) < 2 * farthest) visit(crack_face);
+    }
+}
+
+void ExplicitContact::look_everywhere() {
+    everywhere = true;
+    vertices.resize(shell.mass.size());
+    std::iota(vertices.begin(), vertices.end(), 0);
+}
+
+void ExplicitContact::look_at(std::vector<Index> some, const StepContext& step, const Positions& motion) {
+    everywhere = false;
+    vertices = std::move(some);
+    pairs.clear();
+    touching_faces.clear();
+    if (!sheets) return;
+    sheets->begin(step);
+    pairs = sheets->pairs_within_reach(step.origin, motion);
+    sheets->begin(substep);
+    each_touching_face(step.origin, motion,
+                       [&](const CrackFaceStencil& crack_face) { touching_faces.push_back(crack_face); });
 }
 
 double ExplicitContact::obstacle_work(std::span<const Reaction> forces, const Positions& on_deforming) const {

@@ -33,9 +33,12 @@ class ExplicitContact {
     void find_forces(const Substep& substep, ContactForces& forces);
     /// Elastic energy, J, of all contacts, with the shell at x, [3, V] m.
     double stored_energy(const Positions& x) const;
-    /// An upper bound on the increase of squared frequencies, 1/s^2, of shell and bodies by contact in a step
-    /// in which the shell moves by `motion`, [3, V] m.
-    double largest_rate(const StepContext& step, const Positions& motion);
+    /// Bounds on the frequencies of contact in a step in which the shell moves by `motion`, [3, V] m.
+    ContactRates rates(const StepContext& step, const Positions& motion);
+    /// Until the next call of this function or of shell_changed(), find_forces() looks only at these
+    /// vertices, and only at the pairs of elements that may touch in a step in which the shell moves by
+    /// `motion`, [3, V] m; other vertices keep their forces.
+    void look_at(std::vector<Index> vertices, const StepContext& step, const Positions& motion);
     /// Ends a step with the shell at `end`, [3, V] m. If a sheet passes through another one, or through the
     /// surface of an obstacle or a body, in the straight motion from the step's origin, makes springs stiffer
     /// and returns false: the step must be repeated. Throws std::runtime_error if springs cannot become
@@ -56,8 +59,9 @@ class ExplicitContact {
     double crack_face_overlap(const Positions& x) const { return crack_faces.largest_overlap(x); }  ///< m
     void visit_state(StateVisitor& visit) {
         auto& [options, shell, threads, bodies, at_vertices, substep, before, now, sheets, crack_faces,
-               second_spring] = *this;
-        visit(bodies, at_vertices, substep, before, now, sheets, crack_faces, second_spring);
+               second_spring, everywhere, vertices, pairs, active, touching_faces] = *this;
+        visit(bodies, at_vertices, substep, before, now, sheets, crack_faces, second_spring, everywhere,
+              vertices, pairs, touching_faces);
     }
 
   private:
@@ -70,8 +74,13 @@ class ExplicitContact {
     bool stiffen_springs(const StepContext& step);
     /// Removes the second springs if no pair at the end of the step is in their range.
     void relax(const Positions& end);
+    void look_everywhere();
     void add_obstacles(const Substep& substep, ContactForces& sum) const;
-    void add_sheets(const Substep& substep, ContactForces& sum) const;
+    void add_sheets(const Substep& substep, ContactForces& sum);
+    /// Calls visit(crack_face) for the crack faces that may touch in a step in which the shell moves from x
+    /// by `motion`, [3, V] m.
+    template <class Visit>
+    void each_touching_face(const Positions& x, const Positions& motion, const Visit& visit) const;
     // In the next two functions, all: [3, S + V] m, positions of colliders and sheets at the end of the
     // substep.
     void add_sheet_friction(const Substep& substep, const Positions& all, ContactForces& sum) const;
@@ -90,6 +99,12 @@ class ExplicitContact {
     std::unique_ptr<SheetContact> sheets;
     CrackFaceContact crack_faces;
     SecondSpring second_spring;  ///< second spring of all pairs
+    bool everywhere = true;      ///< whether find_forces() looks at everything
+    // The vertices, pairs and crack faces of the last look_at().
+    std::vector<Index> vertices;
+    std::vector<ContactPair> pairs;
+    std::vector<ContactPair> active;  ///< the pairs that are active in the substep
+    std::vector<CrackFaceStencil> touching_faces;
 };
 
 }  // namespace sherd

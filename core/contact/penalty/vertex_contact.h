@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "core/contact/colliders/collider.h"
@@ -110,10 +111,14 @@ class VertexContact {
     template <class Add>
     void add_springs(const Positions& x, const Eigen::Isometry3d& pose, Curvature curvature, Add add) const {
         const PlacedBox box(*collider.shape, pose);
-        for (Index v = 0; v < static_cast<Index>(x.cols()); ++v)
-            if (box.is_near(box.local(x.col(v)), reach(v)))
-                if (const Overlap at = overlap(x, v, pose); at.depth > 0)
-                    add(v, spring(at, stiffness(v), curvature));
+        for (Index v = 0; v < static_cast<Index>(x.cols()); ++v) add_spring(box, v, x, pose, curvature, add);
+    }
+    /// Variant for `some` vertices alone.
+    template <class Add>
+    void add_springs(std::span<const Index> some, const Positions& x, const Eigen::Isometry3d& pose,
+                     Curvature curvature, Add add) const {
+        const PlacedBox box(*collider.shape, pose);
+        for (const Index v : some) add_spring(box, v, x, pose, curvature, add);
     }
     /// Calls add(vertex, force, anchor) for each vertex with friction, with the vertices at x, [3, V] m.
     /// force: a PointForce; anchor: m, in space. frame: transforms the anchors' frame to space.
@@ -134,14 +139,12 @@ class VertexContact {
     void add_touch(const Positions& x, const Eigen::Isometry3d& pose, Touch& touch) const {
         for (Index v = 0; v < static_cast<Index>(x.cols()); ++v) touch.include(v, overlap(x, v, pose).depth);
     }
-    /// The largest ratio, 1/s^2, of a contact's stiffness to its vertex's mass, among the vertices that touch
-    /// the collider if half their thickness is enlarged by `margin` (m). x: [3, V] m.
-    double largest_rate(const Positions& x, const Eigen::Isometry3d& pose, double margin) const {
-        double largest = 0;
+    /// Calls visit(vertex, rate) for the vertices that touch the collider if half their thickness is enlarged
+    /// by `margin` (m); rate: 1/s^2, ratio of a contact's stiffness to its vertex's mass. x: [3, V] m.
+    template <class Visit>
+    void each_rate(const Positions& x, const Eigen::Isometry3d& pose, double margin, Visit visit) const {
         for (Index v = 0; v < static_cast<Index>(x.cols()); ++v)
-            if (overlap(x, v, pose, margin).depth > 0)
-                largest = std::max(largest, stiffness(v) / shell.mass[v]);
-        return largest;
+            if (overlap(x, v, pose, margin).depth > 0) visit(v, stiffness(v) / shell.mass[v]);
     }
     /// Sum of the stiffnesses, N/m, of the contacts of the vertices that touch the collider if half their
     /// thickness is enlarged by `margin` (m). x: [3, V] m.
@@ -164,6 +167,12 @@ class VertexContact {
     }
 
   private:
+    template <class Add>
+    void add_spring(const PlacedBox& box, Index v, const Positions& x, const Eigen::Isometry3d& pose,
+                    Curvature curvature, Add add) const {
+        if (!box.is_near(box.local(x.col(v)), reach(v))) return;
+        if (const Overlap at = overlap(x, v, pose); at.depth > 0) add(v, spring(at, stiffness(v), curvature));
+    }
     struct Sliding {
         Index vertex;
         SlidingPoint point;

@@ -56,6 +56,40 @@ TEST(ElasticGradient, IsThatOfTheEnergiesWithEachModel) {
             }
 }
 
+// Local steps compute forces again near a few vertices. An element that was left out would keep its old
+// force.
+TEST(ElasticGradient, IsFoundAgainWhereVerticesHaveMoved) {
+    Shell flat = test::flat_patch(), curved = curved_sheet();
+    flat.face_sheet.assign(flat.triangles.size(), 0);
+    for (Shell* shell : {&flat, &curved})
+        for (ShellEnergyOptions options : all_models)
+            for (const bool mirrored : {false, true}) {
+                if (mirrored) options.mirrors = test::patch_mirrors(*shell);
+                ShellEnergies energies(*shell, options);
+                ElasticGradient batches(*shell, energies, options, Threads());
+                if (!batches.is_local()) continue;
+                std::vector<Level> levels(shell->mass.size(), 0);
+                levels[3] = 2;
+                levels[7] = levels[8] = 1;
+                batches.set_levels(levels);
+                Positions x = test::shaken(*shell, 0.02, 5), forces(3, x.cols());
+                batches.find(x);
+                batches.put_forces(0, static_cast<Index>(x.cols()), forces);
+                for (const Level level : {Level{2}, Level{1}, Level{2}}) {
+                    for (Index v = 0; v < static_cast<Index>(x.cols()); ++v)
+                        if (levels[v] >= level) {
+                            x.col(v) += 1e-2 * Vector3d(level, 1, -1);
+                            batches.move(v, x.col(v));
+                        }
+                    batches.find_again(level);
+                    batches.put_forces_again(level, forces);
+                    const Positions expected = test::elastic_gradient(energies, x);
+                    EXPECT_LT((forces + expected).norm(), 1e-11 * expected.norm())
+                        << "model " << static_cast<int>(options.bending.model) << ", level " << int(level);
+                }
+            }
+}
+
 // Batches that ignored the failure of a hinge would still hold its two faces together.
 TEST(ElasticGradient, FollowsAnEdgeThatOpens) {
     for (const ShellEnergyOptions& options : all_models) {

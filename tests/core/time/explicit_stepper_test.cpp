@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/time/highest_frequency.h"
+#include "core/time/frequency_bounds.h"
 #include "tests/support/contact/contact_pairs.h"
 #include "tests/support/contact/obstacles.h"
 #include "tests/support/shell/eigenpairs.h"
@@ -32,11 +32,6 @@ void advance(Stepper& stepper, int steps) {
     }
 }
 
-/// The elastic gradient of `forces` as a function of the positions, which highest_frequency() takes.
-auto gradient_of(ShellEnergies& forces) {
-    return [&](const Positions& x) { return test::elastic_gradient(forces, x); };
-}
-
 /// Vibration modes of the shell at rest, with fixed vertices left out.
 test::Modes modes_at_rest(Stepper& stepper, const Shell& shell, const std::vector<Energy*>& energies) {
     std::vector<std::pair<Index, Index>> pairs;
@@ -61,53 +56,6 @@ class ExplicitModes : public ::testing::Test {
     VectorXd squares;
     Eigen::MatrixXd modes;
 };
-
-// A substep longer than the highest frequency allows makes the energy grow without bound.
-TEST_F(ExplicitModes, TheHighestFrequencyIsFoundFromBelow) {
-    Positions mode;
-    const double exact = std::sqrt(squares.maxCoeff());
-    const double found = highest_frequency(gradient_of(forces), shell, shell.position, mode);
-    EXPECT_LE(found, exact * (1 + 1e-6));
-    EXPECT_GT(found, 0.985 * exact);
-    const double again = highest_frequency(gradient_of(forces), shell, shell.position, mode);
-    EXPECT_GT(again, 0.985 * exact);
-}
-
-// A search near the last mode alone would miss a faster face of another piece, for which the substep would
-// then be too long.
-TEST(ExplicitFrequency, AFasterPieceIsFoundFromAModeOfAnother) {
-    Shell shell = test::stacked_plates(2, 5, 0.1, test::glass);
-    ShellEnergies forces{shell, {}};
-    const Index of_plate = static_cast<Index>(shell.mass.size()) / 2;
-    Positions mode;
-    highest_frequency(gradient_of(forces), shell, shell.position, mode);
-    mode.rightCols(of_plate).setZero();
-    ASSERT_FALSE(mode.isZero(0));
-    shell.mass.tail(of_plate) *= 0.25;
-    Positions anew;
-    const double highest = highest_frequency(gradient_of(forces), shell, shell.position, anew);
-    ASSERT_GT(anew.rightCols(of_plate).norm(), 0.999 * anew.norm());
-    EXPECT_GT(highest_frequency(gradient_of(forces), shell, shell.position, mode), 0.985 * highest);
-}
-
-// With a single free vertex there are only three directions of motion, and frequencies of the fixed vertices
-// must not be found.
-TEST_F(ExplicitModes, AVertexAmongHeldOnesHasItsOwnFrequency) {
-    std::ranges::fill(shell.fixed, 1);
-    shell.fixed[shell.fixed.size() / 2] = 0;
-    ExplicitStepper stepper(shell, explicit_steps(1e-5));
-    const double exact = modes_at_rest(stepper, shell, forces.elastic()).squares.maxCoeff();
-    Positions mode;
-    EXPECT_NEAR(highest_frequency(gradient_of(forces), shell, shell.position, mode) / std::sqrt(exact), 1,
-                1e-3);
-}
-
-// A shell without free vertices has no frequency.
-TEST_F(ExplicitModes, AHeldShellHasNone) {
-    std::ranges::fill(shell.fixed, 1);
-    Positions mode;
-    EXPECT_EQ(highest_frequency(gradient_of(forces), shell, shell.position, mode), 0);
-}
 
 // A mode of vibration must keep its frequency and its energy.
 TEST_F(ExplicitModes, SwingWithTheirFrequencyAndKeepTheirEnergy) {
@@ -161,6 +109,73 @@ TEST(ExplicitStepper, KeepsEnergyAndMomentumInFreeFlight) {
     EXPECT_LT((angular_momentum(shell) - angular).norm(), 1e-6 * angular.norm());
     EXPECT_LT(std::abs(stepper.balance().lost_to_scheme), 2e-3 * kinetic);
     EXPECT_LT(std::abs(stepper.balance().unexplained), 1e-11 * kinetic);
+}
+
+/// A plate of 31 x 31 vertices, three of which lie next to another one, so that the faces between are narrow.
+Shell plate_with_few_narrow_faces() {
+    const Shell even = test::stacked_plates(1, 30, 0, test::glass);
+    Positions rest = even.rest;
+    for (const Index v : {200, 460, 700})
+        rest.col(v) = rest.col(v + 1) + 0.1 * (rest.col(v) - rest.col(v + 1));
+    std::vector<std::array<Index, 3>> triangles;
+    for (const TriangleStencil& triangle : even.triangles) triangles.push_back(triangle.vertices);
+    return test::small_sheet(rest, triangles, test::glass);
+}
+
+// A few narrow faces must not make the substep shorter for all vertices, and a plate with local time steps
+// that flies and vibrates must keep its energy and both momenta.
+TEST(ExplicitStepper, KeepsEnergyAndMomentumWithLocalSteps) {
+    Shell shell = plate_with_few_narrow_faces();
+    for (Index v = 0; v < static_cast<Index>(shell.mass.size()); ++v) {
+        const Vector3d at = shell.rest.col(v);
+        shell.velocity.col(v) = Vector3d(1, 2, 3) + Vector3d(40, 10, -20).cross(at) +
+                                Vector3d(0, 0, 2 * std::cos(60 * at.x()) * std::cos(90 * at.y()));
+    }
+    ShellEnergies energies(shell, {});
+    FrequencyBounds bounds;
+    bounds.find(energies.elastic(), shell, shell.rest);
+    const double step = 2e-5, shortest = 1.8 / std::sqrt(bounds.squares().maxCoeff());
+    const Vector3d linear = linear_momentum(shell), angular = angular_momentum(shell);
+    const double kinetic = kinetic_energy(shell);
+    ExplicitStepper stepper(shell, explicit_steps(step));
+    for (int i = 0; i < 50; ++i) {
+        ASSERT_TRUE(stepper.begin());
+        const StepResult made = stepper.solve(1);
+        ASSERT_TRUE(made);
+        EXPECT_LT(made.iterations, 0.5 * step / shortest);
+        stepper.finish();
+    }
+    EXPECT_LT((linear_momentum(shell) - linear).norm(), 1e-11 * linear.norm());
+    EXPECT_LT((angular_momentum(shell) - angular).norm(), 1e-9 * angular.norm());
+    EXPECT_LT(std::abs(stepper.balance().lost_to_scheme), 2e-3 * kinetic);
+    EXPECT_LT(std::abs(stepper.balance().unexplained), 1e-11 * kinetic);
+}
+
+// Contact with a stiff floor concerns the vertices near it alone: the others must not be moved in its short
+// parts, and a plate that bounces must keep its energy.
+TEST(ExplicitStepper, FollowsStiffContactInPartsOfSubsteps) {
+    Shell shell = test::stacked_plates(1, 10, 0, test::rubber);
+    const Eigen::AngleAxisd tilt(0.02, Vector3d::UnitY());
+    shell.position = tilt.toRotationMatrix() * shell.rest;
+    shell.position.row(2).array() += 0.002 + 0.5 * test::rubber.thickness - shell.position.row(2).minCoeff();
+    shell.velocity.row(2).setConstant(-1);
+    StepperOptions options = explicit_steps(1e-4);
+    options.contact.obstacles = {test::floor(1e11)};
+    ExplicitStepper stepper(shell, options);
+    const double kinetic = kinetic_energy(shell);
+    int before = 0, most = 0;
+    for (int i = 0; i < 100; ++i) {
+        ASSERT_TRUE(stepper.begin());
+        const StepResult made = stepper.solve(1);
+        ASSERT_TRUE(made);
+        if (i == 0) before = made.iterations;
+        most = std::max(most, made.iterations);
+        stepper.finish();
+    }
+    EXPECT_GT(most, 2 * before);
+    EXPECT_GT((shell.velocity * shell.mass).z(), 0.1 * shell.mass.sum()) << "it flies away from the floor";
+    EXPECT_LT(std::abs(stepper.balance().lost_to_scheme), 0.01 * kinetic);
+    EXPECT_LT(std::abs(stepper.balance().unexplained), 1e-10 * kinetic);
 }
 
 // The sag of a strip that is held at one end, once it has come to rest, must be that of implicit steps.

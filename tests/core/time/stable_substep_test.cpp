@@ -35,16 +35,16 @@ TEST(StableSubstep, StrongDampingByTheMediumStopsASheet) {
 
 // Where damping is 1e9 times too large, the substep must not become zero by cancellation.
 TEST(StableSubstep, IsThatOfTheTheory) {
-    EXPECT_DOUBLE_EQ(stable_substep(1e6, {}, 2e-6), 0.8 * 2e-6);
-    EXPECT_DOUBLE_EQ(stable_substep(1e6, {1.5e-6, 0}, 2e-6), 0.8 * 2e-6 * 0.5);
-    EXPECT_DOUBLE_EQ(stable_substep(1e6, {0, 1e8}, 2e-6), 0.8 * 2e-8);
-    EXPECT_NEAR(stable_substep(1e6, {1e3, 0}, 1e-12), 0.8 * 2e-6 / 1e9, 1e-20);
+    EXPECT_DOUBLE_EQ(stable_substep(1e6, {}, 2e-6, 0.8), 0.8 * 2e-6);
+    EXPECT_DOUBLE_EQ(stable_substep(1e6, {1.5e-6, 0}, 2e-6, 0.8), 0.8 * 2e-6 * 0.5);
+    EXPECT_DOUBLE_EQ(stable_substep(1e6, {0, 1e8}, 2e-6, 0.8), 0.8 * 2e-8);
+    EXPECT_NEAR(stable_substep(1e6, {1e3, 0}, 1e-12, 0.8), 0.8 * 2e-6 / 1e9, 1e-20);
 }
 
 // Substeps too short for any run must end with an error that tells the cause, not with hours of computing.
 TEST(StableSubstep, WhatCannotBeCountedIsAnErrorThatSaysHowShortTheyWouldBe) {
     try {
-        stable_substep(1e6, {0, 1e15}, 2e-6);
+        stable_substep(1e6, {0, 1e15}, 2e-6, 0.8);
         FAIL();
     } catch (const std::runtime_error& error) {
         EXPECT_NE(std::string(error.what()).find("would need substeps of 1.6e-15 s"), std::string::npos)
