@@ -131,10 +131,13 @@ void ElasticGradient::find_coupled(int level) {
                 unbatched.col(vertex) += of_mirrors[m] * slopes[m].gradient.col(v);
 }
 
-void ElasticGradient::put_forces(Index begin, Index end, Positions& forces) const {
-    corners.put_negative(begin, end, forces.data());
-    if (!others.empty() || !mirrors.empty())
-        forces.middleCols(begin, end - begin) -= unbatched.middleCols(begin, end - begin);
+void ElasticGradient::put_forces(Positions& forces) const {
+    forces.resize(3, static_cast<Eigen::Index>(positions.size()));
+    threads.share_ranges(static_cast<Index>(positions.size()), vertices_at_once, [&](Index begin, Index end) {
+        corners.put_negative(begin, end, forces.data());
+        if (!others.empty() || !mirrors.empty())
+            forces.middleCols(begin, end - begin) -= unbatched.middleCols(begin, end - begin);
+    });
 }
 
 void ElasticGradient::put_forces_again(int level, Positions& forces) const {
@@ -145,8 +148,8 @@ void ElasticGradient::put_forces_again(int level, Positions& forces) const {
 
 Positions ElasticGradient::at(const Positions& x) {
     find(x);
-    Positions forces(3, x.cols());
-    put_forces(0, static_cast<Index>(x.cols()), forces);
+    Positions forces;
+    put_forces(forces);
     return -forces;
 }
 

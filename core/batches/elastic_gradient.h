@@ -76,9 +76,8 @@ class ElasticGradient {
     std::span<const Index> affected(int level) const { return vertices.of_level(level); }
     /// Writes the forces on the vertices affected(level), N, to their columns of `forces`, [3, V].
     void put_forces_again(int level, Positions& forces) const;
-    /// Writes the forces of the last find(), N, on the vertices from `begin` to before `end` to their columns
-    /// of `forces`, [3, V].
-    void put_forces(Index begin, Index end, Positions& forces) const;
+    /// Writes the forces of the last find(), N, [3, V], to `forces`.
+    void put_forces(Positions& forces) const;
     /// The gradient at x, N, [3, V].
     Positions at(const Positions& x);
 

@@ -10,8 +10,8 @@
 
 namespace sherd {
 
-/// Level of a vertex in explicit steps: at level k its forces are evaluated 2^k times in a substep. The level
-/// of an element, or of a sum, is the highest level of the vertices on which it depends.
+/// Level of a vertex in explicit steps: at level k its forces are evaluated 2^k times in a substep. An
+/// element or a sum has the highest level of the vertices on which it depends.
 using Level = std::uint8_t;
 
 inline void raise(Level& level, Level to) {
@@ -35,7 +35,7 @@ class LevelOrder {
         for (Index i = 0; i < static_cast<Index>(levels.size()); ++i) order[next[levels[i]]++] = i;
     }
 
-    Index size() const { return static_cast<Index>(order.size()); }
+    Level highest() const { return static_cast<Level>(counts.size() - 1); }
     Index operator[](Index place) const { return order[place]; }
     /// Number of elements of at least level k.
     Index count(int k) const { return k < static_cast<int>(counts.size()) ? counts[k] : 0; }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 
 #include "core/shell/patch_momentum.h"
@@ -14,16 +13,11 @@
 namespace sherd {
 namespace {
 
-/// Contact that begins or ends within a part of a substep causes an error in energy of the order of (length
-/// of the part times frequency) squared: parts with contact have a third of the stable length.
-constexpr double resolution_of_contact = 3,
-                 resolution_squared = resolution_of_contact * resolution_of_contact;
-/// Margin of the motion in a step that is predicted from the velocity.
-constexpr double margin_of_motion = 1.5;
-/// Elasticity acts on a vertex in contact only at the beginning and the end of a substep. So that this
-/// excites no vibration of the contact, the substep is stable for the sum of the squared frequencies of
-/// elasticity and contact; for vertices with levels above 0, for this multiple of that of contact.
-constexpr double contact_with_level = 1.8;
+/// Contact that begins or ends within a part of a substep causes an error in energy that grows with the
+/// square of length times frequency: parts with contact have a third of the stable length.
+constexpr double resolution_of_contact = 3;
+/// Multiple of the squared frequency of contact for which substeps with levels above 0 must be stable.
+constexpr double contact_with_levels = 1.8;
 /// Number of substeps in place of each one while edges open: cohesive forces fade from substep to substep.
 constexpr int substeps_of_opening = 2;
 /// Shortest substeps with local steps, over the coefficient of stiffness-proportional damping.
@@ -65,7 +59,8 @@ ExplicitStepper::ExplicitStepper(Shell& shell, const StepperOptions& options, St
       step{0, options.step, options.step, shell.position, shell.velocity, {}},
       length(options.step),
       velocity(shell.velocity),
-      acceleration(Positions::Zero(3, shell.position.cols())) {}
+      acceleration(Positions::Zero(3, shell.position.cols())),
+      contact_acceleration(acceleration) {}
 
 StepResult ExplicitStepper::begin(double of_step) try {
     open(of_step);
@@ -95,7 +90,7 @@ void ExplicitStepper::open(double of_step) {
     else if (stale)
         update_elastic_forces();
     else
-        accelerate_inner();
+        accelerate_in_contact();
     first = made = false;
 }
 
@@ -108,11 +103,36 @@ double ExplicitStepper::stable(double squared_frequency, double share) const {
 }
 
 bool ExplicitStepper::choose_substeps() {
+    bool levels_change = (update_bounds() || divided != step.length) && choose_levels();
     const double length_before = length;
-    const std::vector<Level> levels_before = levels;
-    if (update_bounds() || divided != step.length) choose_levels();
-    follow_contact();
-    return levels != levels_before || (length != length_before && local_steps.highest() > 0);
+    const ContactRates rates = look_ahead();
+    if (local_steps.highest() > 0 && substeps_with(rates) > elastic_substeps) {
+        allows_levels = false;
+        levels_change = choose_levels();
+    }
+    substeps = substeps_with(rates);
+    length = step.length / substeps;
+    const double highest = std::max(rates.of_bodies, rates.of_vertices.maxCoeff());
+    parts = substeps_of(length, stable(highest, safety_of_contact / resolution_of_contact));
+    return levels_change || (length != length_before && local_steps.highest() > 0);
+}
+
+ContactRates ExplicitStepper::look_ahead() {
+    const Stopwatch watch(spent, Task::contact);
+    return contact.look_ahead(step);
+}
+
+int ExplicitStepper::substeps_with(const ContactRates& rates) const {
+    double longest = step.length / elastic_substeps;
+    // Elasticity acts on a vertex in contact only at the beginning and the end of a substep. So that this
+    // excites no vibration of the contact, the substep must be stable for both together.
+    if (local_steps.highest() == 0)
+        for (const Index v : contact.vertices())
+            longest = std::min(longest, stable(bounds.squares()[v] + rates.of_vertices[v], safety_of_bounds));
+    else
+        for (const Index v : contact.vertices())
+            longest = std::min(longest, stable(contact_with_levels * rates.of_vertices[v], safety_of_bounds));
+    return (opening.empty() ? 1 : substeps_of_opening) * substeps_of(step.length, longest);
 }
 
 bool ExplicitStepper::update_bounds() {
@@ -132,79 +152,33 @@ bool ExplicitStepper::update_bounds() {
     return true;
 }
 
-void ExplicitStepper::choose_levels() {
+bool ExplicitStepper::choose_levels() {
     VectorXd longest = bounds.squares();
     for (double& of_vertex : longest) of_vertex = stable(of_vertex, safety_of_bounds);
-    SubstepLevels chosen = substep_levels(shell, longest, step.length,
-                                          {elastic_gradient.is_local(), LocalSteps::share_of_stable,
-                                           least_over_damping * options.shell.damping.stiffness,
-                                           divided == step.length ? elastic_substeps : 0});
-    substeps = elastic_substeps = chosen.substeps;
-    levels = std::move(chosen.levels);
-    local_steps.set_levels(levels);
+    const LevelLimits limits{allows_levels && elastic_gradient.is_local(), LocalSteps::share_of_stable,
+                             least_over_damping * options.shell.damping.stiffness};
+    SubstepLevels chosen = substep_levels(shell, longest, step.length, limits);
+    elastic_substeps = chosen.substeps;
     divided = step.length;
-}
-
-void ExplicitStepper::follow_contact() {
-    const Stopwatch watch(spent, Task::contact);
-    // Gravity is included: a sheet at rest that just touches another comes into contact within the step.
-    Positions motion = margin_of_motion * step.length * shell.velocity;
-    motion.colwise() += step.length * step.length * options.gravity;
-    const ContactRates rates = contact.rates(step, motion);
-    std::vector<Index> touching;
-    double longest = step.length / elastic_substeps;
-    for (Index v = 0; v < static_cast<Index>(rates.of_vertices.size()); ++v) {
-        const double rate = rates.of_vertices[v];
-        if (rate == 0) continue;
-        touching.push_back(v);
-        const double both = levels[v] > 0 ? contact_with_level * rate : bounds.squares()[v] + rate;
-        longest = std::min(longest, stable(both, safety_of_bounds));
-    }
-    const int needed = (opening.empty() ? 1 : substeps_of_opening) * substeps_of(step.length, longest);
-    // Each change of the substep changes the effective forces of local steps, and so excites vibrations: with
-    // levels above 0 the substep only becomes shorter, until the levels change.
-    substeps = std::max(local_steps.highest() > 0 ? substeps : 1, needed);
-    length = step.length / substeps;
-    const double highest = std::max(rates.of_bodies, rates.of_vertices.maxCoeff());
-    parts = highest > 0 ? substeps_of(length, stable(resolution_squared * highest, safety_of_contact)) : 1;
-    set_inner(std::move(touching));
-    contact.look_at(inner, step, motion);
-}
-
-void ExplicitStepper::set_inner(std::vector<Index> vertices) {
-    std::vector<char> stays(shell.mass.size(), 0);
-    for (const Index v : vertices) stays[v] = 1;
-    // Vertices that leave keep no force.
-    for (ContactForces* of : {&contact_before, &contact_now})
-        for (const Index v : inner)
-            if (stays[v] == 0 && v < static_cast<Index>(of->force.cols())) {
-                of->force.col(v).setZero();
-                of->friction.col(v).setZero();
-            }
-    is_inner = std::move(stays);
-    inner = std::move(vertices);
+    return local_steps.set_levels(std::move(chosen.levels));
 }
 
 void ExplicitStepper::visit_state(StateVisitor& visit) {
     static_assert(
         has_only<ExplicitStepper, Stepper, decltype(threads), decltype(elastic_gradient),
                  decltype(local_steps), decltype(contact), decltype(opening), decltype(elastic),
-                 decltype(step), decltype(bounds), decltype(strain_at_bounds), decltype(levels),
-                 decltype(divided), decltype(elastic_substeps), decltype(inner), decltype(is_inner),
-                 decltype(substeps), decltype(parts), decltype(length), decltype(first), decltype(made),
-                 decltype(changed), decltype(velocity), decltype(acceleration), decltype(inner_acceleration),
-                 decltype(outer_now), decltype(contact_now), decltype(mass), decltype(inverse_mass),
-                 decltype(gravity), decltype(guided), decltype(moved), decltype(moved_in_part),
-                 decltype(acceleration_before), decltype(inner_acceleration_before), decltype(outer_before),
-                 decltype(contact_before), decltype(energies_now), decltype(work), decltype(inertia_work)>());
+                 decltype(step), decltype(bounds), decltype(strain_at_bounds), decltype(divided),
+                 decltype(elastic_substeps), decltype(allows_levels), decltype(substeps), decltype(parts),
+                 decltype(length), decltype(first), decltype(made), decltype(changed), decltype(velocity),
+                 decltype(acceleration), decltype(contact_acceleration), decltype(forces_now),
+                 decltype(contact_now), decltype(mass), decltype(inverse_mass), decltype(gravity),
+                 decltype(guided), decltype(moved), decltype(moved_in_part), decltype(acceleration_before),
+                 decltype(contact_acceleration_before), decltype(forces_before), decltype(contact_before),
+                 decltype(energies_now), decltype(work), decltype(inertia_work)>());
     Stepper::visit_state(visit);
-    visit(local_steps, contact, opening, step, bounds, strain_at_bounds, levels, divided, elastic_substeps,
-          inner, is_inner, substeps, parts, length, first, made, changed, velocity, acceleration,
-          inner_acceleration, outer_now, contact_now, energies_now, work, inertia_work);
-    if (visit.reads()) {
-        elastic_gradient.shell_changed();
-        local_steps.set_levels(levels);
-    }
+    visit(local_steps, contact, opening, step, bounds, strain_at_bounds, divided, elastic_substeps,
+          allows_levels, substeps, parts, length, first, made, changed, velocity, acceleration, forces_now,
+          contact_now, energies_now, work, inertia_work);
 }
 
 template <class Range>
@@ -213,48 +187,42 @@ void ExplicitStepper::share_vertices(const Range& range) const {
 }
 
 void ExplicitStepper::update_forces() {
-    find_given_forces();
-    contact_now.force.resize(3, 0);
-    contact_before.force.resize(3, 0);
+    find_outer_forces();
     find_contact_forces(length / parts);
-    outer_now.damping.setZero(3, options.shell.damping.stiffness > 0 ? position.cols() : 0);
+    forces_now.damping.setZero(3, options.shell.damping.stiffness > 0 ? position.cols() : 0);
     update_elastic_forces();
 }
 
 void ExplicitStepper::update_elastic_forces() {
     find_elastic_forces();
-    accelerate_outer();
-    accelerate_inner();
+    accelerate();
+    accelerate_in_contact();
 }
 
-void ExplicitStepper::find_given_forces() {
-    outer_now.given.resize(forces.outer().size());
+void ExplicitStepper::find_outer_forces() {
+    forces_now.outer.resize(forces.outer().size());
     for (std::size_t i = 0; i < forces.outer().size(); ++i) {
         const Stopwatch watch(spent, Task::loads);
         const OuterEnergy& outer = forces.outer()[i];
-        Positions& force = outer_now.given[i];
+        Positions& force = forces_now.outer[i];
         force.setZero(3, position.cols());
         outer.energy->add_gradient(
             outer.of_velocity ? Positions(step.origin + step.lag * velocity) : position, force);
         force *= -1;
     }
-    outer_now.opening.setZero(3, opening.empty() ? 0 : position.cols());
-    opening.add_forces(outer_now.opening);
+    forces_now.opening.setZero(3, opening.empty() ? 0 : position.cols());
+    opening.add_forces(forces_now.opening);
 }
 
 void ExplicitStepper::find_elastic_forces() {
     const Stopwatch watch(spent, Task::elasticity);
-    outer_now.elastic.resize(3, position.cols());
-    if (local_steps.highest() == 0) {
-        elastic_gradient.find(position);
-        share_vertices(
-            [&](Index begin, Index end) { elastic_gradient.put_forces(begin, end, outer_now.elastic); });
-    } else {
-        Positions others = options.gravity * shell.mass.transpose() + contact_now.force;
-        if (outer_now.opening.cols() > 0) others += outer_now.opening;
-        for (const Positions& one : outer_now.given) others += one;
-        local_steps.find(position, length, others, outer_now.elastic);
+    Positions others;
+    if (local_steps.highest() > 0) {
+        others = options.gravity * shell.mass.transpose() + contact_now.force;
+        if (forces_now.opening.cols() > 0) others += forces_now.opening;
+        for (const Positions& one : forces_now.outer) others += one;
     }
+    local_steps.find(position, length, others, forces_now.elastic);
 }
 
 void ExplicitStepper::find_contact_forces(double length_of_part) {
@@ -262,39 +230,39 @@ void ExplicitStepper::find_contact_forces(double length_of_part) {
     contact.find_forces({length_of_part, position, velocity}, contact_now);
 }
 
-void ExplicitStepper::accelerate_outer() {
+void ExplicitStepper::accelerate() {
     acceleration.resize(3, position.cols());
     share_vertices([&](Index begin, Index end) {
         const auto some = [&](auto& all) { return range_of(all, begin, end); };
         auto accelerations = some(acceleration);
-        accelerations = some(outer_now.elastic);
-        if (outer_now.damping.cols() > 0) accelerations += some(outer_now.damping);
-        if (outer_now.opening.cols() > 0) accelerations += some(outer_now.opening);
-        for (const Positions& one : outer_now.given) accelerations += some(one);
+        accelerations = some(forces_now.elastic);
+        if (forces_now.damping.cols() > 0) accelerations += some(forces_now.damping);
+        if (forces_now.opening.cols() > 0) accelerations += some(forces_now.opening);
+        for (const Positions& one : forces_now.outer) accelerations += some(one);
         accelerations = accelerations * some(inverse_mass) + some(gravity);
         for (auto v = std::ranges::lower_bound(guided, begin); v != guided.end() && *v < end; ++v)
             acceleration.col(*v) = constrained(shell, *v, acceleration.col(*v));
     });
 }
 
-void ExplicitStepper::accelerate_inner() {
-    inner_acceleration.resize(3, position.cols());
-    for (const Index v : inner)
-        inner_acceleration.col(v) =
+void ExplicitStepper::accelerate_in_contact() {
+    contact_acceleration.resize(3, position.cols());
+    for (const Index v : contact.vertices())
+        contact_acceleration.col(v) =
             constrained(shell, v, contact_now.force.col(v).cwiseProduct(inverse_mass.col(v)));
 }
 
-Vector3d ExplicitStepper::OuterForces::on(Index v) const {
+Vector3d ExplicitStepper::Forces::on(Index v) const {
     Vector3d all = elastic.col(v);
     if (damping.cols() > 0) all += damping.col(v);
     if (opening.cols() > 0) all += opening.col(v);
-    for (const Positions& one : given) all += one.col(v);
+    for (const Positions& one : outer) all += one.col(v);
     return all;
 }
 
 Positions ExplicitStepper::accelerations() const {
     Positions all = acceleration;
-    for (const Index v : inner) all.col(v) += inner_acceleration.col(v);
+    for (const Index v : contact.vertices()) all.col(v) += contact_acceleration.col(v);
     return all;
 }
 
@@ -364,12 +332,12 @@ void ExplicitStepper::make_substep(double from) {
     StepContext substep;
     substep.begin = from;
     substep.length = length;
-    kick_all();
+    kick();
     moved = position;
     share_vertices([&](Index begin, Index end) {
         range_of(position, begin, end) += length * range_of(velocity, begin, end);
     });
-    for (const Index v : inner) position.col(v) = moved.col(v);
+    for (const Index v : contact.vertices()) position.col(v) = moved.col(v);
     for (int i = 0; i < parts; ++i) make_part(from + length * i / parts, length / parts);
     if (!shell.motions.empty()) place_scripted(shell, substep.end(), position);
     share_vertices([&](Index begin, Index end) {
@@ -379,55 +347,56 @@ void ExplicitStepper::make_substep(double from) {
     if (forces.mirrors_move())
         for (Energy* energy : elastic) energy->begin(substep);
     opening.fade(moved, length);
-    std::swap(outer_before, outer_now);
+    std::swap(forces_before, forces_now);
     std::swap(acceleration_before, acceleration);
-    find_given_forces();
+    find_outer_forces();
     find_elastic_forces();
-    outer_now.damping.resize(3, outer_before.damping.cols());
-    if (outer_now.damping.cols() > 0)
-        outer_now.damping =
-            options.shell.damping.stiffness / length * (outer_now.elastic - outer_before.elastic);
-    accelerate_outer();
-    kick_all();
-    enter_outer_work();
+    forces_now.damping.resize(3, forces_before.damping.cols());
+    if (forces_now.damping.cols() > 0)
+        forces_now.damping =
+            options.shell.damping.stiffness / length * (forces_now.elastic - forces_before.elastic);
+    accelerate();
+    kick();
+    enter_work();
     const double of_mirrors = forces.mirror_work(substep, position);
     work.balance.work_of_supports += of_mirrors;
     work.against_stored += of_mirrors;
 }
 
 void ExplicitStepper::make_part(double from, double length_of_part) {
-    kick_inner(length_of_part);
+    kick_in_contact(length_of_part);
     contact.of_bodies().kick(length_of_part);
     moved_in_part.resize(3, position.cols());
-    for (const Index v : inner) moved_in_part.col(v) = position.col(v);
-    for (const Index v : inner) position.col(v) += length_of_part * velocity.col(v);
+    for (const Index v : contact.vertices()) moved_in_part.col(v) = position.col(v);
+    for (const Index v : contact.vertices()) position.col(v) += length_of_part * velocity.col(v);
     if (!shell.motions.empty()) place_scripted(shell, from + length_of_part, position);
-    for (const Index v : inner) moved_in_part.col(v) = position.col(v) - moved_in_part.col(v);
+    for (const Index v : contact.vertices()) moved_in_part.col(v) = position.col(v) - moved_in_part.col(v);
     if (!shell.motions.empty()) follow_script(true, moved_in_part, length_of_part);
     contact.of_bodies().drift(length_of_part);
     contact.place(from, from + length_of_part);
     std::swap(contact_before, contact_now);
-    std::swap(inner_acceleration_before, inner_acceleration);
+    std::swap(contact_acceleration_before, contact_acceleration);
     find_contact_forces(length_of_part);
-    accelerate_inner();
-    kick_inner(length_of_part);
+    accelerate_in_contact();
+    kick_in_contact(length_of_part);
     contact.of_bodies().kick(length_of_part);
-    enter_inner_work();
+    enter_contact_work();
 }
 
-void ExplicitStepper::kick_all() {
+void ExplicitStepper::kick() {
     share_vertices([&](Index begin, Index end) {
         range_of(velocity, begin, end) += length / 2 * range_of(acceleration, begin, end);
     });
 }
 
-void ExplicitStepper::kick_inner(double length_of_part) {
-    for (const Index v : inner) velocity.col(v) += length_of_part / 2 * inner_acceleration.col(v);
+void ExplicitStepper::kick_in_contact(double length_of_part) {
+    for (const Index v : contact.vertices())
+        velocity.col(v) += length_of_part / 2 * contact_acceleration.col(v);
 }
 
-void ExplicitStepper::follow_script(bool inside, const Positions& way, double duration) {
+void ExplicitStepper::follow_script(bool touching, const Positions& way, double duration) {
     for (Index v = 0; v < static_cast<Index>(shell.script.size()); ++v)
-        if (shell.script[v] != 0 && (is_inner[v] != 0) == inside) {
+        if (shell.script[v] != 0 && std::ranges::binary_search(contact.vertices(), v) == touching) {
             const Vector3d now = way.col(v) / duration;
             const double change = 0.5 * shell.mass[v] * (now.squaredNorm() - velocity.col(v).squaredNorm());
             work.balance.work_of_supports += change - shell.mass[v] * options.gravity.dot(way.col(v));
@@ -442,7 +411,7 @@ double ExplicitStepper::taken(const Positions& before, const Positions& now) con
     return sum;
 }
 
-void ExplicitStepper::enter_outer_work() {
+void ExplicitStepper::enter_work() {
     struct Sums {
         double against_stored = 0, of_inertia = 0;
     };
@@ -450,7 +419,7 @@ void ExplicitStepper::enter_outer_work() {
     share_vertices([&](Index begin, Index end) {
         const auto some = [&](auto& all) { return range_of(all, begin, end); };
         of_ranges[begin / vertices_at_once] = {
-            -0.5 * ((some(outer_before.elastic) + some(outer_now.elastic)) * some(moved)).sum(),
+            -0.5 * ((some(forces_before.elastic) + some(forces_now.elastic)) * some(moved)).sum(),
             0.5 * (some(mass) * (some(acceleration_before) + some(acceleration)) * some(moved)).sum()};
     });
     for (const Sums& sums : of_ranges) {
@@ -458,27 +427,27 @@ void ExplicitStepper::enter_outer_work() {
         inertia_work += sums.of_inertia;
     }
     EnergyBalance& balance = work.balance;
-    balance.lost_to_damping += taken(outer_before.damping, outer_now.damping);
-    balance.lost_to_cracks += taken(outer_before.opening, outer_now.opening);
-    for (std::size_t i = 0; i < outer_now.given.size(); ++i)
-        balance.take(forces.outer()[i].part, taken(outer_before.given[i], outer_now.given[i]));
+    balance.lost_to_damping += taken(forces_before.damping, forces_now.damping);
+    balance.lost_to_cracks += taken(forces_before.opening, forces_now.opening);
+    for (std::size_t i = 0; i < forces_now.outer.size(); ++i)
+        balance.take(forces.outer()[i].part, taken(forces_before.outer[i], forces_now.outer[i]));
     if (shell.motions.empty()) return;
     // Supports with a prescribed motion work against all forces on their vertices.
     for (Index v = 0; v < static_cast<Index>(shell.script.size()); ++v)
         if (shell.script[v] != 0)
-            balance.work_of_supports -= 0.5 * (outer_before.on(v) + outer_now.on(v)).dot(moved.col(v));
+            balance.work_of_supports -= 0.5 * (forces_before.on(v) + forces_now.on(v)).dot(moved.col(v));
 }
 
-void ExplicitStepper::enter_inner_work() {
+void ExplicitStepper::enter_contact_work() {
     EnergyBalance& balance = work.balance;
     const ContactForces &then = contact_before, &now = contact_now;
     double against_stored = 0, friction = 0;
-    for (const Index v : inner) {
+    for (const Index v : contact.vertices()) {
         const Vector3d way = 0.5 * moved_in_part.col(v), force = then.force.col(v) + now.force.col(v);
         against_stored -= force.dot(way);
         friction -= (then.friction.col(v) + now.friction.col(v)).dot(way);
         inertia_work +=
-            shell.mass[v] * (inner_acceleration_before.col(v) + inner_acceleration.col(v)).dot(way);
+            shell.mass[v] * (contact_acceleration_before.col(v) + contact_acceleration.col(v)).dot(way);
         if (shell.script[v] != 0) balance.work_of_supports -= force.dot(way);
     }
     const double of_obstacles =
@@ -495,11 +464,11 @@ void ExplicitStepper::topology_changed(const ShellChange& change) {
     // The forces before and after the change are compared: both without local steps, whose levels do not suit
     // the changed shell.
     if (local_steps.highest() > 0) {
-        outer_now.elastic = local_steps.without_levels();
-        accelerate_outer();
+        forces_now.elastic = local_steps.without_levels();
+        accelerate();
     }
-    levels.clear();
-    local_steps.set_levels(levels);
+    local_steps.set_levels({});
+    allows_levels = false;
     Positions before = accelerations();
     follow_in_motion(shell, change, position, velocity);
     step.origin = shell.position;
@@ -512,16 +481,13 @@ void ExplicitStepper::topology_changed(const ShellChange& change) {
     energies_now.reset();
     append(before, change.vertices);
     measure_vertices();
-    std::vector<Index> all(position.cols());
-    std::iota(all.begin(), all.end(), 0);
-    set_inner(std::move(all));
     update_forces();
     const double gone = ledger.topology_changed(stored(), moving(velocity, position), change.remeshes());
     if (!change.opening) return;
     opening.open(*change.opening, balancing_forces(before), position, gone);
-    outer_now.opening.setZero(3, position.cols());
-    opening.add_forces(outer_now.opening);
-    accelerate_outer();
+    forces_now.opening.setZero(3, position.cols());
+    opening.add_forces(forces_now.opening);
+    accelerate();
 }
 
 Positions ExplicitStepper::balancing_forces(const Positions& before) const {
@@ -554,7 +520,7 @@ std::vector<Reaction> ExplicitStepper::reactions() const {
         // out.
         Positions blocked(3, position.cols());
         for (Index v = 0; v < static_cast<Index>(position.cols()); ++v)
-            blocked.col(v) = -outer_now.on(v) - contact_now.force.col(v);
+            blocked.col(v) = -forces_now.on(v) - contact_now.force.col(v);
         blocked -= options.gravity * shell.mass.transpose();
         Positions free = blocked;
         constrain(shell, free);

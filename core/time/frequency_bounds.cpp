@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <bit>
-#include <numeric>
+#include <utility>
 
 #include "core/block_matrix.h"
+#include "core/shell/rings.h"
 
 namespace sherd {
 namespace {
@@ -15,6 +16,7 @@ namespace {
 /// patches around its three sides.
 constexpr int rings_of_change = 4, rings_of_element = 4;
 
+/// Hash of a sequence of numbers, by multiplication and shift.
 class Hash {
   public:
     Hash& operator<<(std::uint64_t next) {
@@ -45,14 +47,8 @@ std::vector<std::uint64_t> surroundings_of(const Shell& shell) {
     return all;
 }
 
-/// Adds the other corners of all faces at marked vertices, `rings` times.
-void grow(const Shell& shell, int rings, std::vector<char>& marked) {
-    for (int ring = 0; ring < rings; ++ring) {
-        const std::vector<char> before = marked;
-        for (const TriangleStencil& triangle : shell.triangles)
-            if (std::ranges::any_of(triangle.vertices, [&](Index v) { return before[v] != 0; }))
-                for (const Index v : triangle.vertices) marked[v] = 1;
-    }
+void grow(const Shell& shell, int rings, std::vector<char>& marks) {
+    for (int ring = 0; ring < rings; ++ring) add_ring(shell, char{1}, marks);
 }
 
 std::vector<Index> marked_in(const std::vector<char>& marked) {
@@ -102,13 +98,15 @@ void FrequencyBounds::find_near(std::span<Energy* const> energies, const Shell& 
     }
     for (Index i = 0; i < static_cast<Index>(some.size()); ++i)
         if (near[some[i]] != 0) square[some[i]] = sums[i] / shell.mass[some[i]];
+    find_fastest(shell);
 }
 
-Index FrequencyBounds::fastest_triangle(const Shell& shell) const {
+void FrequencyBounds::find_fastest(const Shell& shell) {
     const auto sum = [&](const TriangleStencil& triangle) {
         return square[triangle.vertices[0]] + square[triangle.vertices[1]] + square[triangle.vertices[2]];
     };
-    return static_cast<Index>(std::ranges::max_element(shell.triangles, {}, sum) - shell.triangles.begin());
+    fastest =
+        static_cast<Index>(std::ranges::max_element(shell.triangles, {}, sum) - shell.triangles.begin());
 }
 
 }  // namespace sherd

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,19 +24,22 @@ class FrequencyBounds {
 
     /// [V] 1/s^2; zero for fixed vertices.
     const VectorXd& squares() const { return square; }
-    /// The triangle with the largest sum of its vertices' bounds.
-    Index fastest_triangle(const Shell& shell) const;
+    /// The triangle with the largest sum of its vertices' bounds, in the shell of the last call of find() or
+    /// follow(); none before the first one.
+    std::optional<Index> fastest_triangle() const { return fastest; }
 
     void visit_state(StateVisitor& visit) {
-        auto& [square, surroundings] = *this;
-        visit(square, surroundings);
+        auto& [square, fastest, surroundings] = *this;
+        visit(square, fastest, surroundings);
     }
 
   private:
     void find_near(std::span<Energy* const> energies, const Shell& shell, const Positions& x,
                    std::vector<char> near);
+    void find_fastest(const Shell& shell);
 
     VectorXd square;
+    std::optional<Index> fastest;
     std::vector<std::uint64_t> surroundings;  ///< [V] hash of each vertex's faces, hinges and mass
 };
 

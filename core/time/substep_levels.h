@@ -9,20 +9,19 @@ namespace sherd {
 /// Division of an explicit step into substeps with local time steps.
 struct SubstepLevels {
     int substeps = 1;
-    std::vector<Level> levels;  ///< level of each vertex: see LocalSteps
+    std::vector<Level> levels;  ///< [V] see LocalSteps; empty: all are 0
 };
 
 /// Levels of the vertices in a substep (s); nothing if a vertex would need a higher level than there is.
-/// stable: [V] s, longest stable step of each vertex; factor: of these steps, for vertices with levels above
-/// 0.
-std::vector<Level> levels_in(const Shell& shell, const VectorXd& stable, double substep, double factor);
+/// stable: [V] s, longest stable step of each vertex; share: part of it that short steps may have at vertices
+/// with levels above 0.
+std::vector<Level> levels_in(const Shell& shell, const VectorXd& stable, double substep, double share);
 
 /// Limits on levels.
 struct LevelLimits {
-    bool any = true;      ///< whether levels may differ from 0
-    double factor = 1;    ///< share of the stable steps for vertices with levels above 0
+    bool allowed = true;  ///< whether levels may differ from 0
+    double share = 1;     ///< share of the stable step for vertices with levels above 0
     double shortest = 0;  ///< s, length of the shortest substep with levels above 0
-    int last = 0;  ///< number of substeps that is kept unless another one means much less work; 0: none
 };
 
 /// Chooses the number of substeps, and the levels of vertices, with the least work. stable: [V] s, longest

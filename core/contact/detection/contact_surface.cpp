@@ -17,8 +17,8 @@ constexpr double share_of_rest = 0.75;  // largest activation distance in a shee
 // distances only the springs of vertices act, with the stiffness of the materials; a soft collider is
 // compressed there, perhaps by much.
 constexpr double share_of_collider = 0.5;
-/// Mean mass of a pair's vertices over the least, from which springs become softer.
-constexpr double light = 3;
+/// Mean mass of a pair's vertices over the least, from which a spring is softer.
+constexpr double uneven_masses = 3;
 /// Minimum distance of barriers over their activation distance.
 constexpr double closest_to_sheet = 0.75, closest_to_collider = 0.2;
 
@@ -242,7 +242,7 @@ double ContactSurface::closest_of_barrier(PairKind kind, const std::array<Index,
     return collider_of(kind, vertices) ? closest_to_collider : closest_to_sheet;
 }
 
-double ContactSurface::share_of_light(const std::array<Index, 4>& vertices) const {
+double ContactSurface::softness(const std::array<Index, 4>& vertices) const {
     double sum = 0, count = 0, least = std::numeric_limits<double>::infinity();
     for (const Index v : vertices)
         if (!of_collider(v)) {
@@ -251,7 +251,7 @@ double ContactSurface::share_of_light(const std::array<Index, 4>& vertices) cons
             ++count;
             least = std::min(least, mass);
         }
-    return std::min(1.0, light * count * least / sum);
+    return std::min(1.0, uneven_masses * count * least / sum);
 }
 
 void ContactSurface::stiffen(ContactPair& pair) const {
@@ -259,7 +259,7 @@ void ContactSurface::stiffen(ContactPair& pair) const {
     const double on = collider_of(pair.kind, pair.vertices) ? area_on_collider(pair.kind, pair.vertices)
                                                             : area(pair.kind, pair.vertices);
     pair.stiffness = share * on / column(pair.kind, pair.vertices);
-    if (springs) pair.stiffness *= share_of_light(pair.vertices);
+    if (springs) pair.stiffness *= softness(pair.vertices);
     if (pair.kind == PairKind::edge_edge)
         pair.mollifier = edge_mollifier(rest_length(a, b), rest_length(c, d));
 }

@@ -50,7 +50,9 @@ double activation_distance_of_sheets(const Shell& shell, PairKind kind, const st
 /// area covered. The factor of one half is there since three kinds of contact act between two sheets
 /// (vertices of the first sheet, vertices of the second, edges), each with half a column. Against a collider
 /// the stiffness is half of column_stiffness(), and an element of the collider acts on no more than the width
-/// of the sheet's element: the force of a box's corner does not depend on the size of the box.
+/// of the sheet's element: the force of a box's corner does not depend on the size of the box. Springs are
+/// softer where the lightest vertex of a pair has less than a third of the mean mass of its vertices, in
+/// proportion to this mass: narrow faces, which cracks leave, would otherwise vibrate far faster than others.
 class ContactSurface {
   public:
     /// The shell and the colliders' surfaces must outlive this object, which must be made again when the
@@ -152,8 +154,9 @@ class ContactSurface {
     double area_on_collider(PairKind kind, const std::array<Index, 4>& vertices) const;
     /// Compliance times area of the materials between the middle surfaces, m/Pa.
     double column(PairKind kind, const std::array<Index, 4>& vertices) const;
-    /// Factor of the stiffness of a spring at a vertex that is much lighter than the pair's other vertices.
-    double share_of_light(const std::array<Index, 4>& vertices) const;
+    /// Factor, at most 1, of the stiffness of a spring: less than 1 where a vertex is much lighter than the
+    /// pair's other vertices.
+    double softness(const std::array<Index, 4>& vertices) const;
     void add_colliders();
     void add_sheet_edges();
     void find_largest_thicknesses();

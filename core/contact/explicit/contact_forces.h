@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -48,32 +47,29 @@ struct ContactForces {
     Positions friction;
     std::vector<Reaction> obstacle_friction;
     Positions deforming_friction;
+    std::vector<Index> vertices;  ///< vertices of the shell whose forces may differ from zero
 
     void visit_state(StateVisitor& visit) {
-        auto& [force, obstacles, deforming, friction, obstacle_friction, deforming_friction] = *this;
-        visit(force, obstacles, deforming, friction, obstacle_friction, deforming_friction);
+        auto& [force, obstacles, deforming, friction, obstacle_friction, deforming_friction, vertices] =
+            *this;
+        visit(force, obstacles, deforming, friction, obstacle_friction, deforming_friction, vertices);
     }
 
-    /// Sets all forces to zero. vertices: number of the shell's vertices; of_colliders: number of the
-    /// colliders' vertices, or 0 if no collider deforms.
-    void clear(Eigen::Index vertices, std::size_t number_of_obstacles, Eigen::Index of_colliders) {
+    /// Sets all forces to zero. count: number of the shell's vertices; some: vertices on which forces may act
+    /// from now on; of_colliders: number of the colliders' vertices, or 0 if no collider deforms.
+    void clear(Eigen::Index count, std::span<const Index> some, std::size_t number_of_obstacles,
+               Eigen::Index of_colliders) {
         deforming.setZero(3, of_colliders);
         deforming_friction.setZero(3, of_colliders);
-        force.setZero(3, vertices);
-        friction.setZero(3, vertices);
         obstacles.assign(number_of_obstacles, {});
         obstacle_friction.assign(number_of_obstacles, {});
-    }
-    /// Sets the forces on `some` vertices of the shell, and on colliders, to zero.
-    void clear_again(std::span<const Index> some) {
-        deforming.setZero();
-        deforming_friction.setZero();
-        for (const Index v : some) {
-            force.col(v).setZero();
-            friction.col(v).setZero();
+        if (force.cols() != count) {
+            force.setZero(3, count);
+            friction.setZero(3, count);
+        } else {
+            for (const Index v : vertices) force.col(v) = friction.col(v) = Vector3d::Zero();
         }
-        std::ranges::fill(obstacles, Reaction{});
-        std::ranges::fill(obstacle_friction, Reaction{});
+        vertices.assign(some.begin(), some.end());
     }
     /// Adds a friction force (N) that an obstacle exerts at the point `at` (m).
     void add_friction(std::size_t obstacle, const Vector3d& at, const Vector3d& friction_force) {
@@ -96,7 +92,7 @@ struct ContactForces {
     }
 };
 
-/// Upper bounds on the increase of squared frequencies, 1/s^2, by contact.
+/// Upper bounds on the squares of the frequencies, 1/s^2, that contact adds in a step.
 struct ContactRates {
     VectorXd of_vertices;  ///< [V] bounds; 0: the vertex meets nothing
     double of_bodies = 0;  ///< bound for all bodies

@@ -111,7 +111,8 @@ Positions ExplicitBodies::in_frame_of(const RigidBody& body, const Positions& x)
 void ExplicitBodies::add_vertices(std::size_t body, const Substep& substep, ContactForces& sum) {
     const double coefficient = all[body].friction;
     at_vertices[body].add_springs(
-        substep.position, all[body].pose(), Curvature::convex, [&](Index v, const PointForce& spring) {
+        sum.vertices, substep.position, all[body].pose(), Curvature::convex,
+        [&](Index v, const PointForce& spring) {
             const Vector3d at = substep.position.col(v), normal = spring.gradient.normalized();
             sum.force.col(v) -= spring.gradient;
             add_body_force(body, at, spring.gradient);
@@ -155,7 +156,11 @@ PairPositions ExplicitBodies::friction_of(std::size_t body, const ContactPair& p
 void ExplicitBodies::add_pairs(std::size_t body, const Substep& substep, ContactForces& sum) {
     const Positions local = in_frame_of(all[body], substep.position);
     const Index first = all[body].surface->size();
+    const auto is_followed = [&](Index v) {
+        return v < first || std::ranges::binary_search(sum.vertices, v - first);
+    };
     for (const ContactPair& pair : pairs[body]->active_pairs(local)) {
+        if (!std::ranges::all_of(pair.vertices, is_followed)) continue;
         const PairPositions at = all[body].pose() * columns(local, pair.vertices);
         const PairPositions contact_force = -gradient(pair, at),
                             friction_force = friction_of(body, pair, at, substep);
@@ -258,14 +263,22 @@ double ExplicitBodies::stored_energy(const Positions& x, std::span<const Eigen::
     return sum;
 }
 
-void ExplicitBodies::add_rates(const StepContext& step, double margin, ContactRates& sum) const {
+double ExplicitBodies::displacement(std::size_t body, double length) const {
+    const RigidBody& of = all[body];
+    double radius = of.surface ? of.surface->points.colwise().norm().maxCoeff() : 0;
+    for (const Vector3d& point : of.contact_points)
+        radius = std::max(radius, point.norm() + of.contact_radius);
+    return length * (of.velocity.norm() + of.spin().norm() * radius + length * gravity.norm());
+}
+
+void ExplicitBodies::add_rates(const StepContext& step, double way, double margin, ContactRates& sum) const {
     double largest = 0, of_points = 0;
     // The body's shape acts on a vertex with the stiffness of a column of sheet. The body's surface acts with
     // half of this stiffness through each of the two kinds of pair, hence the factor of two. If the body
     // touches an edge or a face, the vertices of that element may be away from the body by up to the
     // element's size, hence `longest`.
     for (std::size_t b = 0; b < all.size(); ++b) {
-        const double reach = margin + (pairs[b] ? longest : 0);
+        const double reach = way + margin * displacement(b, step.length) + (pairs[b] ? longest : 0);
         const double of_second = rate_of_second_springs(b, step, reach);
         at_vertices[b].each_rate(step.origin, all[b].pose(), reach, [&](Index v, double rate) {
             sum.of_vertices[v] += 2 * rate + of_second;

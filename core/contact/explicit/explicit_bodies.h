@@ -42,10 +42,11 @@ class ExplicitBodies {
     void kick(double length);
     /// Moves the bodies by their velocities for the whole substep of `length` s.
     void drift(double length);
-    /// Computes all contact forces on the bodies, and adds to `sum` the forces of bodies on the shell and of
-    /// obstacles on bodies. before, places: poses of the obstacles at the beginning and at the end of the
-    /// substep. Throws std::runtime_error if a body's surface has passed through the surface of another body
-    /// or an obstacle in the substep, unless contact points push the two colliders apart.
+    /// Computes all contact forces on the bodies, and adds to `sum` the forces of bodies on the shell, on
+    /// ContactForces::vertices alone, and of obstacles on bodies. before, places: poses of the obstacles at
+    /// the beginning and at the end of the substep. Throws std::runtime_error if a body's surface has passed
+    /// through the surface of another body or an obstacle in the substep, unless contact points push the two
+    /// colliders apart.
     void add_forces(const Substep& substep, std::span<const Eigen::Isometry3d> before,
                     std::span<const Eigen::Isometry3d> places, ContactForces& sum);
 
@@ -66,9 +67,9 @@ class ExplicitBodies {
     /// Elastic energy, J, of all contacts of the bodies. x: [3, V] m, positions of the shell; places: poses
     /// of the obstacles.
     double stored_energy(const Positions& x, std::span<const Eigen::Isometry3d> places) const;
-    /// Adds upper bounds on the squares of the frequencies, 1/s^2, that contact of bodies may add in the step
-    /// (see ContactRates). margin: m, distance by which shell and bodies may approach each other.
-    void add_rates(const StepContext& step, double margin, ContactRates& sum) const;
+    /// Adds the bounds for contact of bodies in the step. way: m, largest displacement of the shell's
+    /// vertices; margin: factor of the displacements of bodies that follow from their velocities.
+    void add_rates(const StepContext& step, double way, double margin, ContactRates& sum) const;
     void add_touch(const Positions& x, std::span<const Eigen::Isometry3d> places, Touch& touch) const;
 
     /// Work, J, of contact forces on the bodies since begin(); work_of_all(): work of contact forces and
@@ -113,6 +114,8 @@ class ExplicitBodies {
     /// other: number of that collider, bodies before obstacles; at: m, position of the point in space.
     template <class Add>
     void each_point(std::span<const Eigen::Isometry3d> places, Add add) const;
+    /// Upper bound, m, on the displacement of a body's points in `length` s, by its velocity and weight.
+    double displacement(std::size_t body, double length) const;
     void add_points(const Substep& substep, std::span<const Eigen::Isometry3d> before,
                     std::span<const Eigen::Isometry3d> places, ContactForces& sum);
     /// Adds the forces between the surfaces of bodies, and between them and the surfaces of obstacles.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <stdexcept>
 
@@ -14,6 +15,8 @@ namespace {
 
 /// Weight in a pair that a vertex has at least while closest points slide.
 constexpr double least_weight = 0.01;
+/// Factor of the motion that velocities predict for a step: forces change velocities.
+constexpr double margin_of_motion = 1.5;
 constexpr std::uint8_t stiffest_second_spring = 2, most_halvings = 3;
 
 }  // namespace
@@ -24,7 +27,8 @@ ExplicitContact::ExplicitContact(const Shell& shell, ContactOptions given, const
       shell(shell),
       threads(threads),
       bodies(shell, start.bodies, options.obstacles, gravity, start.crossed),
-      crack_faces(shell.crack_faces) {
+      crack_faces(shell.crack_faces),
+      gravity(gravity) {
     const std::vector<Obstacle>& obstacles = options.obstacles;
     for (const Obstacle& obstacle : obstacles) at_vertices.emplace_back(shell, obstacle, at_vertices.size());
     place(0, 0);
@@ -63,13 +67,11 @@ void ExplicitContact::shell_changed(const ShellChange& change) {
 void ExplicitContact::find_forces(const Substep& at_end, ContactForces& sum) {
     const bool any_deforms = std::ranges::any_of(
         options.obstacles, [](const Obstacle& obstacle) { return obstacle.deformation != nullptr; });
-    if (sum.force.cols() == at_end.position.cols())
-        sum.clear_again(vertices);
-    else
-        sum.clear(at_end.position.cols(), options.obstacles.size(),
-                  any_deforms ? sheets->surface().collider_vertices() : 0);
+    sum.clear(at_end.position.cols(), followed, options.obstacles.size(),
+              any_deforms ? sheets->surface().collider_vertices() : 0);
     add_obstacles(at_end, sum);
     bodies.add_forces(at_end, before, now, sum);
+    if (options.sheets) add_crack_faces(at_end.position, sum);
     if (sheets) add_sheets(at_end, sum);
 }
 
@@ -77,7 +79,7 @@ void ExplicitContact::add_obstacles(const Substep& at_end, ContactForces& sum) c
     for (std::size_t o = 0; o < at_vertices.size(); ++o) {
         const double coefficient = options.obstacles[o].friction;
         at_vertices[o].add_springs(
-            vertices, at_end.position, now[o], Curvature::convex, [&](Index v, const PointForce& spring) {
+            followed, at_end.position, now[o], Curvature::convex, [&](Index v, const PointForce& spring) {
                 const Vector3d at = at_end.position.col(v), normal = spring.gradient.normalized();
                 const Vector3d way =
                     at_end.velocity.col(v) - velocity_of_point(before[o], now[o], at, at_end.length);
@@ -92,19 +94,24 @@ void ExplicitContact::add_obstacles(const Substep& at_end, ContactForces& sum) c
     }
 }
 
-void ExplicitContact::add_sheets(const Substep& at_end, ContactForces& sum) {
-    for (const CrackFaceStencil& crack_face : everywhere ? shell.crack_faces : touching_faces) {
-        const PairPositions slope = gradient(crack_face, columns(at_end.position, crack_face.vertices));
+void ExplicitContact::add_crack_faces(const Positions& x, ContactForces& sum) const {
+    for (const CrackFaceStencil& crack_face : everywhere ? shell.crack_faces : near_faces) {
+        const PairPositions slope = gradient(crack_face, columns(x, crack_face.vertices));
         for (int v = 0; v < 4; ++v) sum.force.col(crack_face.vertices[v]) -= slope.col(v);
     }
+}
+
+void ExplicitContact::add_sheets(const Substep& at_end, ContactForces& sum) {
+    if (!everywhere && pairs.empty()) return;
     const Positions& all = sheets->at_end(at_end.position);
     const Index first = sheets->surface().collider_vertices();
     if (everywhere) {
         active = sheets->active_pairs_of(all);
     } else {
         active.clear();
-        for (const ContactPair& pair : pairs)
-            if (within(pair.activation_distance, pair, columns(all, pair.vertices))) active.push_back(pair);
+        std::ranges::copy_if(pairs, std::back_inserter(active), [&](const ContactPair& pair) {
+            return within(pair.activation_distance, pair, columns(all, pair.vertices));
+        });
     }
     threads.share_lots<PairPositions>(
         active.size(),
@@ -189,70 +196,75 @@ double ExplicitContact::stored_energy(const Positions& x) const {
     return sum;
 }
 
-ContactRates ExplicitContact::rates(const StepContext& step, const Positions& motion) {
-    const Positions& x = step.origin;
-    const double way = motion.cols() > 0 ? std::sqrt(motion.colwise().squaredNorm().maxCoeff()) : 0;
+void ExplicitContact::look_everywhere() {
+    everywhere = true;
+    followed.resize(shell.mass.size());
+    std::iota(followed.begin(), followed.end(), 0);
+}
+
+Positions ExplicitContact::motion_ahead(const StepContext& step) const {
+    // Gravity is included: a sheet at rest that just touches another comes into contact within the step.
+    Positions motion = margin_of_motion * step.length * step.velocity_origin;
+    motion.colwise() += step.length * step.length * gravity;
+    return motion;
+}
+
+ContactRates ExplicitContact::look_ahead(const StepContext& step) {
+    everywhere = false;
     ContactRates sum{VectorXd::Zero(shell.mass.size())};
-    bodies.add_rates(step, way, sum);
-    for (std::size_t o = 0; o < at_vertices.size(); ++o) {
-        const Obstacle& obstacle = options.obstacles[o];
-        for (const double time : {step.begin, step.end()})
-            if (time == step.begin || obstacle.moves())
-                at_vertices[o].each_rate(x, obstacle.motion.at(time), way, [&](Index v, double rate) {
-                    sum.of_vertices[v] = std::max(sum.of_vertices[v], rate);
-                });
-    }
-    if (!sheets) return sum;
-    sheets->begin(step);
-    const std::vector<ContactPair> reached = sheets->pairs_within_reach(x, motion);
-    // Gershgorin's bound: the row sum of a pair's stiffness matrix at a vertex is the stiffness times the
-    // vertex's weight in the closest points times two, the sum of all weights.
-    const Index first = sheets->surface().collider_vertices();
-    const Positions all = sheets->at_start(x);
-    sheets->begin(substep);
-    for (const ContactPair& pair : reached) {
-        const Closest closest = closest_points(pair.kind, columns(all, pair.vertices));
-        for (int i = 0; i < 4; ++i)
-            if (pair.vertices[i] >= first)
-                sum.of_vertices[pair.vertices[i] - first] +=
-                    2 * std::max(least_weight, std::abs(closest.weights[i])) * pair.largest_stiffness() /
-                    shell.mass[pair.vertices[i] - first];
-    }
-    each_touching_face(x, motion, [&](const CrackFaceStencil& crack_face) {
-        for (const Index v : crack_face.vertices)
-            sum.of_vertices[v] += 2 * crack_face.stiffness / shell.mass[v];
-    });
+    const Positions motion = motion_ahead(step);
+    const double way = motion.cols() > 0 ? std::sqrt(motion.colwise().squaredNorm().maxCoeff()) : 0;
+    bodies.add_rates(step, way, margin_of_motion, sum);
+    add_rates_of_obstacles(step, way, sum);
+    pairs.clear();
+    near_faces.clear();
+    if (sheets) look_at_pairs(step, motion, sum);
+    if (options.sheets) look_at_crack_faces(step, motion, sum);
+    followed.clear();
+    for (Index v = 0; v < static_cast<Index>(sum.of_vertices.size()); ++v)
+        if (sum.of_vertices[v] > 0) followed.push_back(v);
     return sum;
 }
 
-template <class Visit>
-void ExplicitContact::each_touching_face(const Positions& x, const Positions& motion,
-                                         const Visit& visit) const {
-    if (!options.sheets) return;
-    for (const CrackFaceStencil& crack_face : shell.crack_faces) {
-        const PairPositions way = columns(motion, crack_face.vertices);
-        const double farthest = (way.colwise() - way.rowwise().mean()).colwise().norm().maxCoeff();
-        if (crack_face_opening(columns(x, crack_face.vertices)) < 2 * farthest) visit(crack_face);
+void ExplicitContact::add_rates_of_obstacles(const StepContext& step, double way, ContactRates& sum) const {
+    for (std::size_t o = 0; o < at_vertices.size(); ++o) {
+        const Obstacle& obstacle = options.obstacles[o];
+        VectorXd largest = VectorXd::Zero(sum.of_vertices.size());
+        for (const double time : {step.begin, step.end()})
+            if (time == step.begin || obstacle.moves())
+                at_vertices[o].each_rate(step.origin, obstacle.motion.at(time), way,
+                                         [&](Index v, double rate) { largest[v] = rate; });
+        sum.of_vertices += largest;
     }
 }
 
-void ExplicitContact::look_everywhere() {
-    everywhere = true;
-    vertices.resize(shell.mass.size());
-    std::iota(vertices.begin(), vertices.end(), 0);
-}
-
-void ExplicitContact::look_at(std::vector<Index> some, const StepContext& step, const Positions& motion) {
-    everywhere = false;
-    vertices = std::move(some);
-    pairs.clear();
-    touching_faces.clear();
-    if (!sheets) return;
+void ExplicitContact::look_at_pairs(const StepContext& step, const Positions& motion, ContactRates& sum) {
     sheets->begin(step);
     pairs = sheets->pairs_within_reach(step.origin, motion);
+    const Positions all = sheets->at_start(step.origin);
     sheets->begin(substep);
-    each_touching_face(step.origin, motion,
-                       [&](const CrackFaceStencil& crack_face) { touching_faces.push_back(crack_face); });
+    // Gershgorin's bound: the row sum of a pair's stiffness matrix at a vertex is the stiffness times the
+    // vertex's weight in the closest points times two, the sum of all weights.
+    const Index first = sheets->surface().collider_vertices();
+    for (const ContactPair& pair : pairs) {
+        const Closest closest = closest_points(pair.kind, columns(all, pair.vertices));
+        for (int i = 0; i < 4; ++i)
+            if (const Index v = pair.vertices[i] - first; v >= 0)
+                sum.of_vertices[v] += 2 * std::max(least_weight, std::abs(closest.weights[i])) *
+                                      pair.largest_stiffness() / shell.mass[v];
+    }
+}
+
+void ExplicitContact::look_at_crack_faces(const StepContext& step, const Positions& motion,
+                                          ContactRates& sum) {
+    for (const CrackFaceStencil& crack_face : shell.crack_faces) {
+        const PairPositions way = columns(motion, crack_face.vertices);
+        const double farthest = (way.colwise() - way.rowwise().mean()).colwise().norm().maxCoeff();
+        if (crack_face_opening(columns(step.origin, crack_face.vertices)) >= 2 * farthest) continue;
+        near_faces.push_back(crack_face);
+        for (const Index v : crack_face.vertices)
+            sum.of_vertices[v] += 2 * crack_face.stiffness / shell.mass[v];
+    }
 }
 
 double ExplicitContact::obstacle_work(std::span<const Reaction> forces, const Positions& on_deforming) const {

@@ -33,12 +33,12 @@ class ExplicitContact {
     void find_forces(const Substep& substep, ContactForces& forces);
     /// Elastic energy, J, of all contacts, with the shell at x, [3, V] m.
     double stored_energy(const Positions& x) const;
-    /// Bounds on the frequencies of contact in a step in which the shell moves by `motion`, [3, V] m.
-    ContactRates rates(const StepContext& step, const Positions& motion);
-    /// Until the next call of this function or of shell_changed(), find_forces() looks only at these
-    /// vertices, and only at the pairs of elements that may touch in a step in which the shell moves by
-    /// `motion`, [3, V] m; other vertices keep their forces.
-    void look_at(std::vector<Index> vertices, const StepContext& step, const Positions& motion);
+    /// Finds the vertices, pairs of elements and crack faces that may touch something in the step, and bounds
+    /// on the frequencies of their contact. Until the next call of this function or of shell_changed(),
+    /// find_forces() looks at these alone.
+    ContactRates look_ahead(const StepContext& step);
+    /// The vertices on which find_forces() lets forces act, ascending.
+    std::span<const Index> vertices() const { return followed; }
     /// Ends a step with the shell at `end`, [3, V] m. If a sheet passes through another one, or through the
     /// surface of an obstacle or a body, in the straight motion from the step's origin, makes springs stiffer
     /// and returns false: the step must be repeated. Throws std::runtime_error if springs cannot become
@@ -59,9 +59,9 @@ class ExplicitContact {
     double crack_face_overlap(const Positions& x) const { return crack_faces.largest_overlap(x); }  ///< m
     void visit_state(StateVisitor& visit) {
         auto& [options, shell, threads, bodies, at_vertices, substep, before, now, sheets, crack_faces,
-               second_spring, everywhere, vertices, pairs, active, touching_faces] = *this;
+               second_spring, gravity, everywhere, followed, pairs, near_faces, active] = *this;
         visit(bodies, at_vertices, substep, before, now, sheets, crack_faces, second_spring, everywhere,
-              vertices, pairs, touching_faces);
+              followed, pairs, near_faces);
     }
 
   private:
@@ -77,10 +77,14 @@ class ExplicitContact {
     void look_everywhere();
     void add_obstacles(const Substep& substep, ContactForces& sum) const;
     void add_sheets(const Substep& substep, ContactForces& sum);
-    /// Calls visit(crack_face) for the crack faces that may touch in a step in which the shell moves from x
-    /// by `motion`, [3, V] m.
-    template <class Visit>
-    void each_touching_face(const Positions& x, const Positions& motion, const Visit& visit) const;
+    void add_crack_faces(const Positions& x, ContactForces& sum) const;
+    /// The shell's displacements in the step, m, [3, V], with a margin for accelerations.
+    Positions motion_ahead(const StepContext& step) const;
+    void add_rates_of_obstacles(const StepContext& step, double way, ContactRates& sum) const;
+    /// Finds `pairs` and adds their rates.
+    void look_at_pairs(const StepContext& step, const Positions& motion, ContactRates& sum);
+    /// Finds `near_faces` and adds their rates.
+    void look_at_crack_faces(const StepContext& step, const Positions& motion, ContactRates& sum);
     // In the next two functions, all: [3, S + V] m, positions of colliders and sheets at the end of the
     // substep.
     void add_sheet_friction(const Substep& substep, const Positions& all, ContactForces& sum) const;
@@ -99,12 +103,13 @@ class ExplicitContact {
     std::unique_ptr<SheetContact> sheets;
     CrackFaceContact crack_faces;
     SecondSpring second_spring;  ///< second spring of all pairs
+    const Vector3d gravity;      ///< m/s^2
     bool everywhere = true;      ///< whether find_forces() looks at everything
-    // The vertices, pairs and crack faces of the last look_at().
-    std::vector<Index> vertices;
+    // Results of the last look_ahead(): vertices(), and pairs and crack faces that may touch.
+    std::vector<Index> followed;
     std::vector<ContactPair> pairs;
-    std::vector<ContactPair> active;  ///< the pairs that are active in the substep
-    std::vector<CrackFaceStencil> touching_faces;
+    std::vector<CrackFaceStencil> near_faces;
+    std::vector<ContactPair> active;  ///< pairs that are active in the substep: a buffer
 };
 
 }  // namespace sherd

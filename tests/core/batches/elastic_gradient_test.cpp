@@ -74,7 +74,7 @@ TEST(ElasticGradient, IsFoundAgainWhereVerticesHaveMoved) {
                 batches.set_levels(levels);
                 Positions x = test::shaken(*shell, 0.02, 5), forces(3, x.cols());
                 batches.find(x);
-                batches.put_forces(0, static_cast<Index>(x.cols()), forces);
+                batches.put_forces(forces);
                 for (const Level level : {Level{2}, Level{1}, Level{2}}) {
                     for (Index v = 0; v < static_cast<Index>(x.cols()); ++v)
                         if (levels[v] >= level) {

@@ -26,10 +26,11 @@ TEST(SubstepLevels, EveryVertexIsFollowedAsOftenAsItNeeds) {
         const SubstepLevels found = substep_levels(shell, stable, 1e-5, limits);
         int plain = 0;
         for (Index v = 0; v < static_cast<Index>(stable.size()); ++v) {
-            const int parts = 1 << found.levels[v];
-            const double length = 1e-5 / found.substeps / parts;
-            EXPECT_LE(length, (parts > 1 ? limits.factor : 1) * stable[v] * (1 + 1e-9)) << "vertex " << v;
-            plain += parts == 1;
+            const int short_steps = found.levels.empty() ? 1 : 1 << found.levels[v];
+            const double length = 1e-5 / found.substeps / short_steps;
+            EXPECT_LE(length, (short_steps > 1 ? limits.share : 1) * stable[v] * (1 + 1e-9))
+                << "vertex " << v;
+            plain += short_steps == 1;
         }
         if (ratio >= 4) {
             EXPECT_LE(found.substeps, 10) << "most vertices set the substep";
@@ -44,22 +45,13 @@ TEST(SubstepLevels, ArePlainWhereLevelsDoNotHelp) {
     const auto expect_plain = [&](const VectorXd& stable, const LevelLimits& limits, int substeps) {
         const SubstepLevels found = substep_levels(shell, stable, 1e-5, limits);
         EXPECT_EQ(found.substeps, substeps);
-        EXPECT_EQ(*std::ranges::max_element(found.levels), 0);
+        EXPECT_TRUE(found.levels.empty());
     };
     expect_plain(VectorXd::Constant(shell.mass.size(), 1e-6), {}, 10);
     VectorXd one_fast = VectorXd::Constant(shell.mass.size(), 1e-6);
     one_fast[60] = 1e-7;
     expect_plain(one_fast, {false}, 100);
     expect_plain(one_fast, {true, 1, 1e-6 * 2}, 100);
-}
-
-// Levels disturb: a small gain is no reason to change the number of substeps.
-TEST(SubstepLevels, KeepTheLastNumberOfSubsteps) {
-    const Shell shell = test::stacked_plates(1, 30, 0, test::glass);
-    const VectorXd stable = with_few_fast(shell, 16);
-    const int best = substep_levels(shell, stable, 1e-5, {true, 0.7}).substeps;
-    EXPECT_EQ(substep_levels(shell, stable, 1e-5, {true, 0.7, 0, best + 1}).substeps, best + 1);
-    EXPECT_EQ(substep_levels(shell, stable, 1e-5, {true, 0.7, 0, 100}).substeps, best);
 }
 
 }  // namespace
