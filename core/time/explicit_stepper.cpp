@@ -16,8 +16,6 @@ namespace {
 /// Contact that begins or ends within a part of a substep causes an error in energy that grows with the
 /// square of length times frequency: parts with contact have a third of the stable length.
 constexpr double resolution_of_contact = 3;
-/// Multiple of the squared frequency of contact for which substeps with levels above 0 must be stable.
-constexpr double contact_with_levels = 1.8;
 /// Number of substeps in place of each one while edges open: cohesive forces fade from substep to substep.
 constexpr int substeps_of_opening = 2;
 /// Shortest substeps with local steps, over the coefficient of stiffness-proportional damping.
@@ -126,12 +124,8 @@ int ExplicitStepper::substeps_with(const ContactRates& rates) const {
     double longest = step.length / elastic_substeps;
     // Elasticity acts on a vertex in contact only at the beginning and the end of a substep. So that this
     // excites no vibration of the contact, the substep must be stable for both together.
-    if (local_steps.highest() == 0)
-        for (const Index v : contact.vertices())
-            longest = std::min(longest, stable(bounds.squares()[v] + rates.of_vertices[v], safety_of_bounds));
-    else
-        for (const Index v : contact.vertices())
-            longest = std::min(longest, stable(contact_with_levels * rates.of_vertices[v], safety_of_bounds));
+    for (const Index v : contact.vertices())
+        longest = std::min(longest, stable(bounds.squares()[v] + rates.of_vertices[v], safety_of_bounds));
     return (opening.empty() ? 1 : substeps_of_opening) * substeps_of(step.length, longest);
 }
 

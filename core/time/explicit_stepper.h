@@ -118,8 +118,8 @@ class ExplicitStepper : public Stepper {
     /// Change velocities by the forces of half a substep, and by those of contact in half a part.
     void kick();
     void kick_in_contact(double length_of_part);
-    /// Gives vertices with a prescribed motion that moved by `way`, [3, V] m, in `duration` s their velocity:
-    /// those that may touch something, or the others.
+    /// Gives vertices with a prescribed motion that moved by `way`, [3, V] m, in `duration` s their velocity.
+    /// touching: whether only vertices that may touch something, or only the others.
     void follow_script(bool touching, const Positions& way, double duration);
 
     // Work:

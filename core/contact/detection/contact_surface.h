@@ -49,10 +49,10 @@ double activation_distance_of_sheets(const Shell& shell, PairKind kind, const st
 /// thickness: summed over the crossings of two meshes that lie on each other at random angles, this gives the
 /// area covered. The factor of one half is there since three kinds of contact act between two sheets
 /// (vertices of the first sheet, vertices of the second, edges), each with half a column. Against a collider
-/// the stiffness is half of column_stiffness(), and an element of the collider acts on no more than the width
-/// of the sheet's element: the force of a box's corner does not depend on the size of the box. Springs are
-/// softer where the lightest vertex of a pair has less than a third of the mean mass of its vertices, in
-/// proportion to this mass: narrow faces, which cracks leave, would otherwise vibrate far faster than others.
+/// the stiffness is half of column_stiffness(), and an element of the collider acts no wider than the sheet's
+/// element: the force of a box's corner does not depend on the size of the box. Springs are softer where the
+/// lightest vertex of a pair has less than a third of the mean mass of its vertices, in proportion to this
+/// mass: narrow faces, which cracks leave, would otherwise vibrate far faster than others.
 class ContactSurface {
   public:
     /// The shell and the colliders' surfaces must outlive this object, which must be made again when the

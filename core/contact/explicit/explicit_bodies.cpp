@@ -264,11 +264,11 @@ double ExplicitBodies::stored_energy(const Positions& x, std::span<const Eigen::
 }
 
 double ExplicitBodies::displacement(std::size_t body, double length) const {
-    const RigidBody& of = all[body];
-    double radius = of.surface ? of.surface->points.colwise().norm().maxCoeff() : 0;
-    for (const Vector3d& point : of.contact_points)
-        radius = std::max(radius, point.norm() + of.contact_radius);
-    return length * (of.velocity.norm() + of.spin().norm() * radius + length * gravity.norm());
+    const RigidBody& moving = all[body];
+    double radius = moving.surface ? moving.surface->points.colwise().norm().maxCoeff() : 0;
+    for (const Vector3d& point : moving.contact_points)
+        radius = std::max(radius, point.norm() + moving.contact_radius);
+    return length * (moving.velocity.norm() + moving.spin().norm() * radius + length * gravity.norm());
 }
 
 void ExplicitBodies::add_rates(const StepContext& step, double way, double margin, ContactRates& sum) const {

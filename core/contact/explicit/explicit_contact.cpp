@@ -229,12 +229,12 @@ ContactRates ExplicitContact::look_ahead(const StepContext& step) {
 void ExplicitContact::add_rates_of_obstacles(const StepContext& step, double way, ContactRates& sum) const {
     for (std::size_t o = 0; o < at_vertices.size(); ++o) {
         const Obstacle& obstacle = options.obstacles[o];
-        VectorXd largest = VectorXd::Zero(sum.of_vertices.size());
+        VectorXd rates = VectorXd::Zero(sum.of_vertices.size());
         for (const double time : {step.begin, step.end()})
             if (time == step.begin || obstacle.moves())
                 at_vertices[o].each_rate(step.origin, obstacle.motion.at(time), way,
-                                         [&](Index v, double rate) { largest[v] = rate; });
-        sum.of_vertices += largest;
+                                         [&](Index v, double rate) { rates[v] = rate; });
+        sum.of_vertices += rates;
     }
 }
 

@@ -119,10 +119,7 @@ Shell plate_with_few_narrow_faces() {
         rest.col(v) = rest.col(v + 1) + 0.1 * (rest.col(v) - rest.col(v + 1));
     std::vector<std::array<Index, 3>> triangles;
     for (const TriangleStencil& triangle : even.triangles) triangles.push_back(triangle.vertices);
-    Shell sheet = test::small_sheet(rest, triangles, test::glass);
-    sheet.footprint = sheet.mass / (test::glass.thickness * test::glass.density);
-    sheet.young = even.young;
-    return sheet;
+    return test::small_sheet(rest, triangles, test::glass);
 }
 
 // A few narrow faces must not make the substep shorter for all vertices, and a plate with local time steps
@@ -263,13 +260,18 @@ TEST(ExplicitStepper, FrictionStopsAPlateAfterItsWay) {
     EXPECT_LT(linear_momentum(shell).head<2>().norm(), 1e-3 * shell.mass.sum() * 0.4);
 }
 
+RigidBody steel_ball(const Vector3d& centre, const Vector3d& velocity) {
+    RigidBody ball = rigid_sphere(0.01, 7850);
+    ball.centre = centre;
+    ball.velocity = velocity;
+    return ball;
+}
+
 // A plate throws a ball back: momentum must pass to the plate, and energy be kept.
 TEST(ExplicitStepper, ABallAndAPlateExchangeMomentumAndKeepEnergy) {
     Shell shell = test::stacked_plates(1, 8, 0, test::glass);
-    RigidBody ball = rigid_sphere(0.01, 7850);
+    RigidBody ball = steel_ball(Vector3d(0.011, 0.007, 0.0122), Vector3d(0.5, 0, -2));
     ball.surface = test::sphere_surface(0.01, 2);
-    ball.centre = Vector3d(0.011, 0.007, 0.0122);
-    ball.velocity = Vector3d(0.5, 0, -2);
     ball.angular_momentum = ball.inertia.asDiagonal() * Vector3d(30, 0, 10);
     StepperOptions options = explicit_steps(2e-6);
     options.contact.bodies = {ball};
@@ -291,9 +293,7 @@ TEST(ExplicitStepper, ABallAndAPlateExchangeMomentumAndKeepEnergy) {
 // plate pushes it. Only vertices within reach are followed in a step.
 TEST(ExplicitStepper, ABallMeetsAPlateWithinALongStep) {
     Shell shell = test::stacked_plates(1, 8, 0, test::glass);
-    RigidBody ball = rigid_sphere(0.01, 7850);
-    ball.centre = Vector3d(0, 0, 0.0121 + 1e-5);
-    ball.velocity = Vector3d(0, 0, -10);
+    const RigidBody ball = steel_ball(Vector3d(0, 0, 0.0121 + 1e-5), Vector3d(0, 0, -10));
     StepperOptions options = explicit_steps(1e-4);
     options.contact.bodies = {ball};
     ExplicitStepper stepper(shell, options);

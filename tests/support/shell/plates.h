@@ -31,9 +31,6 @@ inline Shell stacked_plates(int plates, int count, double spacing, const Materia
             }
     }
     Shell shell = small_sheet(rest, triangles, material);
-    shell.thickness.setConstant(material.thickness);
-    shell.young.setConstant(material.young);
-    shell.footprint = shell.mass / (material.thickness * material.density);
     for (Index v = 0; v < static_cast<Index>(rest.cols()); ++v) shell.vertex_sheet[v] = v / (side * side);
     return shell;
 }

@@ -22,6 +22,8 @@ inline Shell small_sheet(const Positions& rest, const std::vector<std::array<Ind
         for (const Index v : vertices)
             shell.mass[v] += shell.triangles.back().membrane.area * material.thickness * material.density / 3;
     }
+    shell.young.setConstant(material.young);
+    shell.footprint = shell.mass / (material.thickness * material.density);
     const Index count = static_cast<Index>(triangles.size());
     for (Index t = 0; t < 3 * count; ++t)
         for (Index u = 0; u < t; ++u) {

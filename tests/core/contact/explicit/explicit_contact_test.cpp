@@ -60,8 +60,8 @@ TEST(ExplicitContact, LooksAtAllThatMeetsInTheStep) {
         if (length > 1e-5) {
             EXPECT_GT(expected.force.norm(), 0);
         }
-        EXPECT_LT((found.force - expected.force).norm(), 1e-12 * expected.force.norm() + 1e-300);
-        EXPECT_LT((found.friction - expected.friction).norm(), 1e-12 * expected.friction.norm() + 1e-300);
+        EXPECT_LE((found.force - expected.force).norm(), 1e-12 * expected.force.norm());
+        EXPECT_LE((found.friction - expected.friction).norm(), 1e-12 * expected.friction.norm());
         for (Index v = 0; v < static_cast<Index>(shell.mass.size()); ++v) {
             EXPECT_TRUE(rates.of_vertices[v] > 0 || expected.force.col(v).isZero(0)) << "vertex " << v;
         }
@@ -76,7 +76,7 @@ TEST(ExplicitContact, LeavesNoForceWhereItNoLongerLooks) {
     const Positions x = shell.position + 2e-4 * shell.velocity;
     world.contact.find_forces({2e-4, x, shell.velocity}, forces);
     ASSERT_GT(forces.force.norm(), 0);
-    shell.position.row(2).array() += shell.vertex_sheet[0] + 0.1;
+    shell.position.row(2).array() += 0.1;
     for (Index v = 0; v < static_cast<Index>(shell.mass.size()); ++v)
         shell.position(2, v) += static_cast<double>(shell.vertex_sheet[v]);
     world.contact.look_ahead({0, 1e-6, 1e-6, shell.position, shell.velocity, {}});
