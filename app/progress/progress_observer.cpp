@@ -17,7 +17,7 @@ namespace {
 
 constexpr double pause = 0.1;  // s between two reports, unless another tenth is done
 
-constexpr Index most_substeps = 1000;  // a step with more substeps causes a warning
+constexpr Index most_parts = 1000;  // a step with more parts of substeps causes a warning
 
 }  // namespace
 
@@ -67,12 +67,12 @@ void ProgressObserver::stepped(const StepReport& report, const CrackEvents&) {
 }
 
 void ProgressObserver::warn_of_substeps(const StepReport& report) {
-    if (warned || !report.is_explicit || report.newton_iterations <= most_substeps) return;
+    if (warned || !report.is_explicit || report.newton_iterations <= most_parts) return;
     warned = true;
     const FacePlace& face = report.fastest;
     reporter.warn(fmt::format(
-        "step {}, at {:.6g} s, took {} substeps, and later steps may, too: {}", report.step, report.time,
-        report.newton_iterations,
+        "step {}, at {:.6g} s, took {} parts of substeps, and later steps may, too: {}", report.step,
+        report.time, report.newton_iterations,
         face.sheet < 0
             ? std::string("contact requires them, where something light and stiff meets something fast")
             : fmt::format("the face of sheet.{} at {} at rest requires the shortest; if it is far smaller "

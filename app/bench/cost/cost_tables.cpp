@@ -24,20 +24,13 @@ namespace {
 /// Cost of an explicit step, with the evaluation of breaking at its end.
 struct ExplicitCost {
     std::size_t faces = 0;
-    double substeps = 0;  ///< mean number of substeps in a step
-    double step = 0;      ///< s, of the fastest step: processor time with one thread, wall time with several
-
-    /// Faces times substeps per second.
-    double face_steps() const { return static_cast<double>(faces) * substeps / step; }
+    double parts = 0;  ///< mean number of parts of all substeps in a step
+    double step = 0;   ///< s, of the fastest step: processor time with one thread, wall time with several
 };
 
 constexpr int steps_before = 10;  // steps that are not measured, until the disc is in contact
 
 constexpr int steps = 60;  // measured steps, of which only the fastest counts
-
-/// Memory that coupled hinges read and write in a substep: 400 bytes per face, 200 per hinge and 360 per
-/// vertex, with 3 / 2 hinges and 1 / 2 vertex per face.
-constexpr std::size_t bytes_a_face = 400 + 200 * 3 / 2 + 360 / 2;
 
 std::string scene_of(const std::string& model) {
     const ShellVariant variant = shell_variant(model, 0, false);
@@ -70,21 +63,10 @@ ExplicitCost explicit_cost(const std::string& model, int threads) {
     for (int i = 0; i < steps_before; ++i) simulation.step();
     ExplicitCost cost;
     cost.faces = simulation.shell().mechanics().triangles.size();
-    const auto step = [&] { cost.substeps += simulation.step().newton_iterations; };
+    const auto step = [&] { cost.parts += simulation.step().newton_iterations; };
     cost.step = threads == 1 ? least_seconds(steps, step) : least_wall_seconds(steps, step);
-    cost.substeps /= steps;
+    cost.parts /= steps;
     return cost;
-}
-
-/// Upper bound of faces times substeps per second for one thread: the thread only reads and writes as much
-/// memory as a substep of this many faces does.
-double explicit_bound(std::size_t faces) {
-    const std::size_t length = faces * bytes_a_face / (3 * sizeof(double));
-    std::vector<double> sum(length, 0), one(length, 1), other(length, 2);
-    const double seconds = least_wall_seconds(steps, [&] {
-        for (std::size_t i = 0; i < length; ++i) sum[i] = one[i] + sum[0] * other[i];
-    });
-    return static_cast<double>(faces) / seconds;
 }
 
 const ShellCase& hemisphere_case(const std::vector<ShellCase>& all) {
@@ -196,28 +178,22 @@ Json explicit_costs(const std::vector<std::string>& models, bool print) {
     if (print)
         print_result(
             "\n**Explicit steps** of 2e-6 s of a disc that falls on a steel nose: ms, with one thread of "
-            "processor time, with two of wall time; and million faces times substeps a second\n\n"
-            "| model | faces | substeps a step | a step, one thread | two | a second, one thread | two |\n"
-            "| --- | --- | --- | --- | --- | --- | --- |\n");
+            "processor time, with two of wall time\n\n"
+            "| model | faces | parts of substeps a step | a step, one thread | two |\n"
+            "| --- | --- | --- | --- | --- |\n");
     Json rows = Json::array();
-    std::size_t faces = 0;
     for (const std::string& model : models) {
         const ExplicitCost one = explicit_cost(model, 1), two = explicit_cost(model, 2);
-        faces = one.faces;
         if (print)
-            print_result("| {} | {} | {:.1f} | {:.2f} | {:.2f} | {:.1f} | {:.1f} |\n", model, faces,
-                         one.substeps, 1e3 * one.step, 1e3 * two.step, 1e-6 * one.face_steps(),
-                         1e-6 * two.face_steps());
+            print_result("| {} | {} | {:.1f} | {:.2f} | {:.2f} |\n", model, one.faces, one.parts,
+                         1e3 * one.step, 1e3 * two.step);
         std::fflush(stdout);
         rows.push_back({{"model", model},
-                        {"faces", faces},
-                        {"substeps", one.substeps},
+                        {"faces", one.faces},
+                        {"parts", one.parts},
                         {"step", one.step},
                         {"step_of_two_threads", two.step}});
     }
-    if (print)
-        print_result("\nMemory alone would let one thread make {:.0f} million a second.\n",
-                     1e-6 * explicit_bound(faces));
     return rows;
 }
 

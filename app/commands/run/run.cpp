@@ -137,12 +137,12 @@ std::string run_summary(const RunTotals& totals, const RunEnd& end, const std::f
         add_row(text, "simulated time", fmt::format("{:g} s", totals.last.time));
     add_row(text, "wall time", fmt::format("{:.1f} s", end.wall_seconds));
     if (scene.simulation.alternates) add_row(text, "explicit steps", explicit_words(totals));
-    add_row(
-        text,
-        scene.simulation.stepper.scheme == Scheme::explicit_differences ? "substeps" : "Newton iterations",
-        fmt::format("{} ({:.2f} a step)", totals.newton_iterations,
-                    static_cast<double>(totals.newton_iterations) /
-                        static_cast<double>(std::max<std::int64_t>(1, totals.last.step))));
+    add_row(text,
+            scene.simulation.stepper.scheme == Scheme::explicit_differences ? "parts of substeps"
+                                                                            : "Newton iterations",
+            fmt::format("{} ({:.2f} a step)", totals.newton_iterations,
+                        static_cast<double>(totals.newton_iterations) /
+                            static_cast<double>(std::max<std::int64_t>(1, totals.last.step))));
     add_row(text, "cracked edges", fmt::format("{}", totals.cracks));
     if (const auto words = crack_step_message(scene, simulation.shell());
         simulation.grown_edges() > 0 && !words.empty())
