@@ -10,9 +10,10 @@
 namespace sherd {
 namespace {
 
-/// Limits of the singular values of a patch's AnglesOfFolds. If the smallest is below `sees_well`, the patch
-/// is grown; for singular values below `sees_hardly`, weights are not corrected.
-constexpr double sees_well = 0.2, sees_hardly = 0.05;
+/// Limit of the singular values of a patch's AnglesOfFolds. If the smallest is below it, the patch is grown.
+/// For singular values that are still below it, weights are not corrected: the corrections would be so large
+/// that ears, triangles with one hinge that cracks leave, would be many times too stiff.
+constexpr double least_sight = 0.2;
 constexpr std::array<Index, 3> no_folds{-1, -1, -1};
 
 /// Components of a tensor (00, 11, 01), of which the last is multiplied such that their sum of squares is the
@@ -38,7 +39,7 @@ Weights corrected(const Weights& weights, const AnglesOfFolds& angles, const Dec
         svd.matrixV().transpose() * (target - angles.transpose() * weights);
     for (Eigen::Index i = 0; i < missing.size(); ++i) {
         const double size = svd.singularValues()[i];
-        missing[i] = size > sees_hardly ? missing[i] / size : 0;
+        missing[i] = size > least_sight ? missing[i] / size : 0;
     }
     return weights + svd.matrixU() * missing;
 }
@@ -58,7 +59,7 @@ Decomposition decomposed(const AnglesOfFolds& angles) {
 double most_side_curvature(double length, double angle) {
     // A grown patch has six triangles, and 13 folds at most. The norm of their shares in a curvature along a
     // side is at most the norm of the target, 1 / length, over the smallest singular value that counts.
-    return std::sqrt(13.0) * angle / (sees_hardly * length);
+    return std::sqrt(13.0) * angle / (least_sight * length);
 }
 
 void Patches::build() {
@@ -223,7 +224,7 @@ std::vector<Patches::Share> Patches::shares(const TriangleEdge& side, const Vect
     std::vector<FoldAngle> seen = folds_of(patch);
     AnglesOfFolds angles = angles_of(seen);
     Decomposition svd = decomposed(angles);
-    if (sight(angles, svd) < sees_well) {
+    if (sight(angles, svd) < least_sight) {
         seen = folds_of(grown(patch));
         angles = angles_of(seen);
         svd = decomposed(angles);

@@ -4,7 +4,7 @@ triangles are unfolded into the plane point by point, and the slopes and angles 
 quadratic surfaces."""
 import numpy as np
 
-SEES_WELL, SEES_HARDLY = 0.2, 0.05  # documented in docs/theory/bending.md
+LEAST_SIGHT = 0.2  # documented in docs/theory/bending.md
 SURFACES = [lambda p: p[0] ** 2 / 2, lambda p: p[1] ** 2 / 2, lambda p: p[0] * p[1] / np.sqrt(2)]
 SLOPES = [lambda p: np.array([p[0], 0]), lambda p: np.array([0, p[1]]), lambda p: np.array([p[1], p[0]]) / np.sqrt(2)]
 
@@ -93,7 +93,7 @@ class Patches:
     def seen(self, patch, length):
         """Returns bends() of the patch, or of grown(patch) if its hinges do not determine the curvature well."""
         bends = self.bends(patch)
-        if not bends or np.linalg.svd(self.square(bends) / length, compute_uv=False)[2] < SEES_WELL:
+        if not bends or np.linalg.svd(self.square(bends) / length, compute_uv=False)[2] < LEAST_SIGHT:
             bends = self.bends(self.grown(patch))
         return bends
 
@@ -102,7 +102,7 @@ class Patches:
         target, within the curvatures that the hinges determine."""
         u, s, v = np.linalg.svd(self.square(bends) / length, full_matrices=False)
         missing = u.T @ (target / length - self.square(bends)[:, :len(bends)] / length @ weights)
-        inverse = np.array([1 / x if x > SEES_HARDLY else 0.0 for x in s])
+        inverse = np.array([1 / x if x > LEAST_SIGHT else 0.0 for x in s])
         return dict(zip(bends, weights + (v.T @ (inverse * missing))[:len(bends)]))
 
 

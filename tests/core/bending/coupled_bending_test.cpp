@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "tests/support/shell/eigenpairs.h"
+#include "tests/support/shell/small_sheet.h"
 #include "tests/support/shell/uneven_patch.h"
 
 namespace sherd {
@@ -91,6 +94,64 @@ TEST(CoupledBending, FlatSheetHasNoModesWithoutEnergyButItsPlanes) {
     const VectorXd eigenvalues = test::eigenvalues(out_of_plane);
     EXPECT_LT(eigenvalues[2], 1e-9 * eigenvalues[count - 1]);  // a translation and two rotations
     EXPECT_GT(eigenvalues[3], 1e-5 * eigenvalues[count - 1]);
+}
+
+/// Largest square of a frequency of the sheet's bending out of its plane z = 0, 1/s^2.
+double highest_square(const Shell& shell) {
+    const Eigen::MatrixXd all = test::hessian_of(CoupledBending(shell, {}), shell.rest, Curvature::exact);
+    const Eigen::Index count = shell.rest.cols();
+    const VectorXd root = shell.mass.cwiseSqrt();
+    Eigen::MatrixXd scaled(count, count);
+    for (Eigen::Index i = 0; i < count; ++i)
+        for (Eigen::Index j = 0; j < count; ++j)
+            scaled(i, j) = all(3 * i + 2, 3 * j + 2) / (root[i] * root[j]);
+    return test::eigenvalues(scaled).maxCoeff();
+}
+
+/// Strips of triangles between two rows of vertices at uneven distances; none has an angle below 28 degrees.
+struct Strip {
+    Positions rest{3, 6};
+    std::vector<std::array<Index, 3>> triangles{{0, 2, 1}, {1, 2, 3}, {2, 4, 3}, {3, 4, 5}};
+
+    explicit Strip(test::Random& random) {
+        for (Index v = 0; v < 6; ++v)
+            rest.col(v) =
+                Vector3d(0.5 * v + random.uniform(-0.3, 0.3), 0.87 * (v % 2) + random.uniform(-0.3, 0.3), 0);
+    }
+    bool is_regular() const {
+        return std::ranges::all_of(triangles, [this](const std::array<Index, 3>& corners) {
+            const Matrix3d at = columns(rest, corners);
+            double cosine = 0;
+            for (int i = 0; i < 3; ++i)
+                cosine = std::max(cosine, (at.col((i + 1) % 3) - at.col(i))
+                                              .normalized()
+                                              .dot((at.col((i + 2) % 3) - at.col(i)).normalized()));
+            return cosine < std::cos(28 * std::numbers::pi / 180);
+        });
+    }
+};
+
+// Cracks leave narrow pieces and ears. If the few hinges there determined the tangents badly, these would be
+// far stiffer than each two of their triangles, explicit substeps would be several times as short, and
+// stresses wrong.
+TEST(CoupledBending, StripIsHardlyStifferThanItsTriangles) {
+    test::Random random(5);
+    const Material material{.density = 1, .thickness = 0.1, .young = 1, .poisson = 0.3};
+    int regular = 0;
+    while (regular < 300) {
+        const Strip strip(random);
+        if (!strip.is_regular()) continue;
+        ++regular;
+        double of_pairs = 0;
+        for (const Index first : {0, 1, 2}) {
+            std::vector<std::array<Index, 3>> pair{strip.triangles[first], strip.triangles[first + 1]};
+            for (auto& corners : pair)
+                for (Index& corner : corners) corner -= first;
+            of_pairs = std::max(
+                of_pairs, highest_square(test::small_sheet(strip.rest.middleCols(first, 4), pair, material)));
+        }
+        EXPECT_LT(highest_square(test::small_sheet(strip.rest, strip.triangles, material)), 10 * of_pairs);
+    }
 }
 
 /// Height of a quadratic surface.
