@@ -10,6 +10,10 @@
 namespace sherd {
 namespace {
 
+/// Degrees: smallest angle of the triangles that cracks leave, where that is possible. Narrow triangles
+/// vibrate fast, and make the substeps of explicit steps short.
+constexpr double wanted_angle = 28;
+
 /// Energy of residual stress, J, that is released if these edges fail one after the other.
 double residual_released(const BreakableShell& shell, std::span<const Edge> edges) {
     std::vector<CrackPiece> pieces;
@@ -177,6 +181,7 @@ std::optional<BreakableShell::Advanced> Breaker::make_edge(const CrackStep& crac
                                                            const BreakingStage& stage, Stepper& stepper) {
     const Mesh& mesh = shell.mesh();
     AdvanceOptions options;
+    options.snap_angle = options.wanted_angle = wanted_angle;
     options.kept.is_line = [&](Edge edge) {
         return std::ranges::find(made_before, edge, &CrackStep::edge) != made_before.end();
     };

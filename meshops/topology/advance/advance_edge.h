@@ -19,6 +19,9 @@ struct AdvanceOptions {
     /// Degrees: other changes must leave no angle below this or, if that is smaller, below the smallest angle
     /// of the faces that they replace.
     double smallest_angle = 20;
+    /// Degrees: other changes are improved, by more flips and moves, until no angle is below this, if that is
+    /// possible. At least smallest_angle.
+    double wanted_angle = 20;
     /// Distance of the ray's end from the tip, m: the edge ends there, or far enough before it for another
     /// edge to follow.
     double reach = std::numeric_limits<double>::infinity();

@@ -25,7 +25,7 @@ Candidate plain_candidate(std::unique_ptr<PatchTrial> trial, Vertex vertex, Adva
 Candidate chosen(std::vector<Candidate> snaps, std::vector<Candidate> cuts, const AdvanceOptions& options) {
     constexpr std::size_t most_cuts = 4;
     constexpr double round_off = 1e-9;
-    const double bound = options.smallest_angle * degree;
+    const double bound = options.smallest_angle * degree, wanted = options.wanted_angle * degree;
     for (Candidate& snap : snaps)
         if (snap.angle >= options.snap_angle * degree) return std::move(snap);
 
@@ -36,15 +36,15 @@ Candidate chosen(std::vector<Candidate> snaps, std::vector<Candidate> cuts, cons
         for (Candidate& candidate : *some) {
             if (candidate.angle < 0) continue;
             if (candidate.way == AdvancedEdge::Way::snapped) candidate.way = AdvancedEdge::Way::relaxed;
-            improve(candidate, bound);
+            improve(candidate, wanted);
             all.push_back(std::move(candidate));
         }
         const auto best = std::ranges::max_element(all, {}, &Candidate::angle);
-        if (best != all.end() && best->angle >= bound) return std::move(*best);
+        if (best != all.end() && best->angle >= wanted) return std::move(*best);
     }
     std::erase_if(all, [&](const Candidate& candidate) {
-        return candidate.angle <
-               (options.always_straight ? round_off : candidate.trial->replaced_angle() - round_off);
+        const double least = std::min(bound, candidate.trial->replaced_angle() - round_off);
+        return candidate.angle < (options.always_straight ? round_off : least);
     });
     const auto best = std::ranges::max_element(all, {}, &Candidate::angle);
     if (best == all.end()) return {};

@@ -23,11 +23,11 @@ Candidate plain_candidate(std::unique_ptr<PatchTrial> trial, Vertex vertex, Adva
                           double distance);
 
 /// Chooses a candidate: the first of `snaps` that keeps options.snap_angle. If there is none, other vertices
-/// are flipped and moved; then the best of `snaps` if it keeps options.smallest_angle, or else the best of
-/// all if it does. If none does, the best of all that leave no smaller angle than the faces that they
-/// replace; or, with options.always_straight, in which no face turns over. Returns a candidate without a
-/// trial if there is none. snaps: the best candidate of each vertex that may be moved, preferred vertices
-/// first; cuts: candidates with an inserted vertex, in any order.
+/// are flipped and moved; then the best of `snaps` if it keeps options.wanted_angle, or else the best of all
+/// if it does. If none does, the best of all that keep options.smallest_angle or leave no smaller angle than
+/// the faces that they replace; or, with options.always_straight, in which no face turns over. Returns a
+/// candidate without a trial if there is none. snaps: the best candidate of each vertex that may be moved,
+/// preferred vertices first; cuts: candidates with an inserted vertex, in any order.
 Candidate chosen(std::vector<Candidate> snaps, std::vector<Candidate> cuts, const AdvanceOptions& options);
 
 }  // namespace sherd
