@@ -84,6 +84,17 @@ double largest_overload(const BreakableShell& shell, const HingeMeasures& measur
     return largest;
 }
 
+bool bears_half(const BreakableShell& shell, const HingeMeasures& measures, bool crack_tips) {
+    constexpr double half = 0.5;
+    for (std::size_t i = 0; i < shell.mechanics().hinges.size(); ++i) {
+        const Edge edge = shell.edge_of_hinge(i);
+        if (!shell.toughness(edge).given() && may_exceed(shell, measures, edge, crack_tips, half) &&
+            overload(shell, measures, edge, crack_tips) > half)
+            return true;
+    }
+    return false;
+}
+
 std::vector<Edge> overloaded_edges(const BreakableShell& shell, const HingeMeasures& measures) {
     std::vector<Edge> failing;
     for (std::size_t i = 0; i < shell.mechanics().hinges.size(); ++i) {

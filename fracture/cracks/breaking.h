@@ -22,6 +22,10 @@ double overload(const BreakableShell& shell, const HingeMeasures& measures, Edge
 /// Overload of the most overloaded hinge; 0 without hinges. crack_tips: see overload().
 double largest_overload(const BreakableShell& shell, const HingeMeasures& measures, bool crack_tips);
 
+/// Whether the hinge of an edge of a sheet without toughness bears more than half its strength. crack_tips:
+/// see overload().
+bool bears_half(const BreakableShell& shell, const HingeMeasures& measures, bool crack_tips);
+
 /// The edges that fail in one stage of staged breaking, ascending: each is overloaded, and more so than all
 /// other edges within two rings around it. Of equally overloaded edges, the one with the lowest number fails.
 /// If all overloaded hinges failed at once, as in the paper, the surroundings of a contact would turn to

@@ -21,6 +21,8 @@ constexpr double least_progress = 0.2;
 constexpr double apart_edges = 2;
 /// Smallest ratio of intensity to toughness at which a tip is recorded.
 constexpr double least_recorded = 0.1;
+/// Ratio of intensity to toughness below which a tip that stands still does not propagate soon.
+constexpr double low_load = 0.5;
 
 }  // namespace
 
@@ -196,6 +198,15 @@ std::vector<CrackStep> CrackGrowth::next(const CrackEvaluation& now) {
         }
     }
     return steps;
+}
+
+double CrackGrowth::time_left(double time) const {
+    if (!is_needed) return std::numeric_limits<double>::infinity();
+    const bool moves = std::ranges::any_of(
+        all, [&](const GrowingTip& tip) { return time < tip.ready + (tip.ready - tip.since); });
+    const bool bears =
+        std::ranges::any_of(evaluated, [](const EvaluatedTip& tip) { return tip.ratio >= low_load; });
+    return moves || bears ? 0 : nucleation.time_left();
 }
 
 void CrackGrowth::add_tip(Vertex vertex, const Vector3d& direction, Edge behind, double ready) {

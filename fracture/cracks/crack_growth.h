@@ -64,6 +64,10 @@ class CrackGrowth {
     }
 
     const std::vector<GrowingTip>& tips() const { return all; }
+    /// Estimate of the time, s, that is left until a crack nucleates or propagates, by the state of the last
+    /// next() and at `time` (s): 0 while a tip propagates, or bears at least half of what it resists; else
+    /// CrackNucleation::time_left().
+    double time_left(double time) const;
     /// Returns records of the tips whose load was not negligible when they were last evaluated.
     /// TipRecord::step and TipRecord::time are not set. x: [3, V] m, positions; time: s, for the speeds of
     /// tips.

@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sherd {
 namespace {
@@ -18,6 +19,8 @@ constexpr double least_share = 0.5;
 /// Time for nucleation at twice the strength, over the time in which a crack at its speed limit crosses the
 /// thickness.
 constexpr double delay = 2;
+/// Factor on the stress for CrackNucleation::time_left().
+constexpr double sudden_growth = 1.5;
 
 double mean_edge(const Shell& shell, Index face) {
     return std::sqrt(4 / std::sqrt(3.0) * shell.triangles[face].membrane.area);
@@ -62,6 +65,7 @@ std::optional<Edge> CrackNucleation::next(const FaceStrains& strains, const Hing
     exposure.resize(shell.mesh().number_of_edges(), 0);
     std::optional<Edge> inserted;
     double largest = 0;
+    least_time = std::numeric_limits<double>::infinity();
     for (std::size_t hinge = 0; hinge < mechanics.hinges.size(); ++hinge) {
         const Edge edge = shell.edge_of_hinge(hinge);
         const Toughness toughness = shell.toughness(edge);
@@ -70,13 +74,14 @@ std::optional<Edge> CrackNucleation::next(const FaceStrains& strains, const Hing
             measures.of(shell.measure(edge), static_cast<Index>(hinge)) / shell.strength(edge);
         const double over = across > least_share ? ratio(strains, across, edge) : across;
         double& exposed = exposure[edge];
-        if (!(over > 1)) {
-            exposed = 0;
-            continue;
-        }
-        exposed += (over - 1) * (over - 1) * waited;
+        exposed = over > 1 ? exposed + (over - 1) * (over - 1) * waited : 0;
         const double thickness = mechanics.thickness[mechanics.hinges[hinge].vertices[0]];
         const double needed = timeless ? 0 : delay * thickness / toughness.speed_limit;
+        if (const double grown = sudden_growth * over - 1; grown > 0) {
+            const double left = std::max(0.0, needed - exposed) / (grown * grown);
+            if (left < least_time && !near_a_tip(edge, tips)) least_time = left;
+        }
+        if (!(over > 1)) continue;
         if (exposed < needed || across <= largest || near_a_tip(edge, tips)) continue;
         largest = across;
         inserted = edge;

@@ -20,10 +20,13 @@ class CrackNucleation {
     /// the largest tension across it. waited: s, see CrackEvaluation.
     std::optional<Edge> next(const FaceStrains& strains, const HingeMeasures& measures,
                              std::span<const GrowingTip> tips, double waited);
+    /// Time, s, after which a crack may nucleate at the earliest if the stress in the state of the last
+    /// next() grew by half at once; infinite if none may.
+    double time_left() const { return least_time; }
 
     void visit_state(StateVisitor& visit) {
-        auto& [shell, timeless, exposure] = *this;
-        visit(exposure);
+        auto& [shell, timeless, exposure, least_time] = *this;
+        visit(exposure);  // next() computes least_time
     }
 
   private:
@@ -38,6 +41,7 @@ class CrackNucleation {
     bool timeless;
     std::vector<double> exposure;  ///< [E] s, integral of (ratio() - 1)^2 over the time for which the hinge
                                    ///< has been above its strength without interruption
+    double least_time = 0;         ///< s, time_left() of the last next()
 };
 
 }  // namespace sherd

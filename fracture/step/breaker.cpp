@@ -110,6 +110,10 @@ std::vector<Edge> Breaker::allowed(std::vector<Edge> edges) {
     return edges;
 }
 
+double Breaker::time_left(const HingeMeasures& measures, double time) const {
+    return bears_half(shell, measures, staged) ? 0 : growth.time_left(time);
+}
+
 StageOutcome Breaker::break_stage(const Measured& now, const BreakingStage& stage, bool may_break,
                                   Stepper& stepper) {
     const std::vector<Edge> edges = allowed(most_overloaded_edges(shell, now.hinges));

@@ -61,6 +61,10 @@ class Breaker {
     void break_given(std::span<const Edge> edges, std::span<const HingeMeasure> measures,
                      const BreakingStage& stage, Stepper& stepper);
 
+    /// Estimate of the time, s, that is left until an edge fails, after a step that ended at `time` (s) with
+    /// these measures before anything failed: see CrackGrowth::time_left(). Of sheets without toughness, 0 if
+    /// bears_half(), else infinite.
+    double time_left(const HingeMeasures& measures, double time) const;
     /// Records the measures of a solution. They replace the measures of an earlier attempt at the step.
     void record_measures(const HingeMeasures& measures) { hinge_peaks.record(shell, measures); }
     /// Must be called when a step ends, at `time` (s): completes its events. broken: whether anything failed.

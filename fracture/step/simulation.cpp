@@ -102,6 +102,7 @@ StepReport Simulation::step() try {
     StepReport report;
     report.step = ++steps;
     policy.begin_step();
+    double time_left = 0;
     for (;;) {
         Attempt attempt{stepper->begin(policy.size())};                        // predicts, up to contact
         if (attempt) attempt.result = stepper->solve(options.max_iterations);  // balances all forces
@@ -115,6 +116,8 @@ StepReport Simulation::step() try {
             const bool staged = options.rule == BreakingRule::staged && !ends_at_crack;
             if (attempt && staged) attempt = break_in_stages(now, report);  // breaks, solves again
             if (attempt && !staged) break_at_once(now, report);
+            if (attempt && policy.is_explicit() && report.stages == 0)
+                time_left = breaker.time_left(now.hinges, time() + policy.size());
         }
         if (attempt) break;
         if (!policy.retry(attempt, report)) throw Error(failure(attempt), Fault::run);
@@ -126,7 +129,7 @@ StepReport Simulation::step() try {
     report_state(report);  // reports energies and peaks
     enable_contact();      // re-enables contact
     policy.finish_step({report.peak_overload, report.stages > 0, report.contact, 0,
-                        report.kinetic + report.bending + report.membrane + report.contact});
+                        report.kinetic + report.bending + report.membrane + report.contact, time_left});
     take_scheme();
     return report;
 } catch (const Error&) {

@@ -30,6 +30,7 @@ struct StepActivity {
     double contact = 0;    ///< J, stored in contact at the end of the step
     double by_scheme = 0;  ///< J, dissipated by the time scheme
     double energy = 0;     ///< J, kinetic and stored energy at the end of the step
+    double time_left = 0;  ///< s, until an edge fails: see Breaker::time_left()
 };
 
 /// Decides on the scheme of steps by their activity, if the schemes alternate. A whole step is a step of the

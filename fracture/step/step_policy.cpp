@@ -7,6 +7,10 @@
 namespace sherd {
 namespace {
 
+/// Number of halvings by which explicit steps may be longer while no edge will fail soon, and the number of
+/// such steps in which none must be expected to fail.
+constexpr int fewer_halvings = 4, steps_without_failure = 2;
+
 /// Number of times that a step of `step` s must be halved to be at most `length` s.
 int halvings_to(double length, double step) {
     return std::max(0, static_cast<int>(std::ceil(std::log2(step / length))));
@@ -67,6 +71,16 @@ void StepPolicy::finish_step(const StepActivity& step) {
         pace.implicit_finished(step, at_whole);
     else if (pace.explicit_finished(step, at_whole) && alternates)
         switch_to_implicit();
+    else if (alternates)
+        choose_explicit_step(step.time_left);
+}
+
+void StepPolicy::choose_explicit_step(double time_left) {
+    int halvings = std::max(0, explicit_halvings - fewer_halvings);
+    while (halvings < explicit_halvings && (time_left < steps_without_failure * step_size.size_of(halvings) ||
+                                            !step_size.is_multiple(halvings)))
+        ++halvings;
+    step_size.keep(halvings);
 }
 
 }  // namespace sherd

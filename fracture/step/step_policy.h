@@ -52,7 +52,7 @@ class StepPolicy {
     bool retry(const Attempt& last, StepReport& report);
     /// Must be called when a step ends: sets time() to its end.
     void advance() { step_size.advance(); }
-    /// Chooses the scheme of the next step, after advance().
+    /// Chooses the scheme of the next step, and the length of an explicit one, after advance().
     void finish_step(const StepActivity& step);
 
     void visit_state(StateVisitor& visit) {
@@ -64,6 +64,8 @@ class StepPolicy {
   private:
     void switch_to_explicit();
     void switch_to_implicit();
+    /// Chooses the length of explicit steps: longer ones while no edge will fail soon.
+    void choose_explicit_step(double time_left);
 
     bool alternates;        ///< SimulationOptions::alternates
     int explicit_halvings;  ///< number of halvings from the nominal length to that of explicit steps

@@ -11,7 +11,7 @@ bool StepSize::halve() {
 }
 
 void StepSize::keep(int halvings) {
-    length = whole >> std::min(halvings, most_halvings);
+    length = ticks_of(halvings);
     is_kept = true;
 }
 

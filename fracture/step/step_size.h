@@ -24,8 +24,12 @@ class StepSize {
     /// Sets the length of all steps until resume() to the nominal length, halved `halvings` times.
     void keep(int halvings);
     void resume();
+    /// Nominal length, halved `halvings` times, s.
+    double size_of(int halvings) const { return seconds(ticks_of(halvings)); }
+    /// Whether the next step begins at a multiple of the nominal length, halved `halvings` times.
+    bool is_multiple(int halvings) const { return done % ticks_of(halvings) == 0; }
     /// Whether the next step begins at a multiple of the nominal length.
-    bool is_at_whole() const { return done % whole == 0; }
+    bool is_at_whole() const { return is_multiple(0); }
     /// Must be called when the next step is finished.
     void advance();
 
@@ -35,6 +39,7 @@ class StepSize {
     // Lengths are multiples of a tick, so that times have no round-off that adds up.
     static constexpr std::int64_t smallest = 1024, whole = smallest << most_halvings;
 
+    static std::int64_t ticks_of(int halvings) { return whole >> std::min(halvings, most_halvings); }
     /// Length of the next step, ticks: all that is left up to the next multiple of the nominal length, if
     /// this is at most `length`; half of it, if it is less than two lengths; else `length`.
     std::int64_t ticks() const {

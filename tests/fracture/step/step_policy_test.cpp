@@ -94,5 +94,31 @@ TEST(StepPolicy, ReturnsToImplicitStepsAfterSomeQuiet) {
     EXPECT_EQ(policy.size(), 1024);
 }
 
+/// Makes an explicit step after which `time_left` is left. Returns the length of the next one.
+double next_length(StepPolicy& policy, double time_left) {
+    policy.begin_step();
+    policy.advance();
+    policy.finish_step({.overload = 1, .fails = true, .time_left = time_left});
+    return policy.size();
+}
+
+// Most of the explicit time of a broken plate nothing can fail: steps as short as a crack needs them would
+// multiply its cost. Steps must be short again at once when something may fail, and must not miss the ends
+// of whole steps.
+TEST(StepPolicy, MakesLongerExplicitStepsWhileNothingWillFail) {
+    StepPolicy policy(policy_options(true), 0);
+    policy.begin_step();
+    StepReport report;
+    ASSERT_TRUE(policy.retry(cracked_step, report));
+    for (const double length : {64, 128, 256, 512, 1024}) {
+        EXPECT_EQ(next_length(policy, 1e9), length) << "at " << policy.time();
+    }
+    EXPECT_EQ(policy.time(), 1024) << "a longer step begins at a multiple of its length";
+    EXPECT_EQ(next_length(policy, 600), 256) << "twice that is less than the time left";
+    EXPECT_EQ(next_length(policy, 600), 256);
+    EXPECT_EQ(next_length(policy, 0), 64);
+    EXPECT_EQ(next_length(policy, 0), 64);
+}
+
 }  // namespace
 }  // namespace sherd
