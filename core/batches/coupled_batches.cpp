@@ -51,22 +51,26 @@ void FaceBatches::build(const Shell& shell, const std::vector<Level>& levels, co
     }
 }
 
+inline FaceBatches::Strained FaceBatches::Batch::at(const PaddedPositions& x) const {
+    const LanesVector start = gather(x, vertices[0]);
+    Strained of;
+    of.one = gather(x, vertices[1]) - start;
+    of.other = gather(x, vertices[2]) - start;
+    for (int i = 0; i < 2; ++i) of.F.col(i) = derivatives[0][i] * of.one + derivatives[1][i] * of.other;
+    of.strain = strain_of(of.F);
+    for (int i = 0; i < 3; ++i)
+        of.stress[i] = stiffness[entry[i][0]] * of.strain[0] + stiffness[entry[i][1]] * of.strain[1] +
+                       stiffness[entry[i][2]] * of.strain[2];
+    return of;
+}
+
 void FaceBatches::find(Index begin, Index end, const PaddedPositions& x, const SideMoments* bending,
                        CornerSums& corners) const {
     const bool bent = bending != nullptr;
     wide_loop(begin, end, [&](Index number) {
         const Batch& batch = batches[number];
         const auto& D = batch.derivatives;
-        const LanesVector start = gather(x, batch.vertices[0]);
-        const LanesVector one = gather(x, batch.vertices[1]) - start;
-        const LanesVector other = gather(x, batch.vertices[2]) - start;
-        Eigen::Matrix<Lanes, 3, 2> F;
-        for (int i = 0; i < 2; ++i) F.col(i) = D[0][i] * one + D[1][i] * other;
-        const LanesVector strain = strain_of(F);
-        LanesVector stress;
-        for (int i = 0; i < 3; ++i)
-            stress[i] = batch.stiffness[entry[i][0]] * strain[0] + batch.stiffness[entry[i][1]] * strain[1] +
-                        batch.stiffness[entry[i][2]] * strain[2];
+        const auto [one, other, F, strain, stress] = batch.at(x);
         const Eigen::Matrix<Lanes, 3, 2> P = pulled(F, stress);
         LanesMatrix gradient;
         for (int i = 0; i < 2; ++i) gradient.col(i + 1) = D[i][0] * P.col(0) + D[i][1] * P.col(1);
@@ -82,6 +86,16 @@ void FaceBatches::find(Index begin, Index end, const PaddedPositions& x, const S
         }
         for (int i = 0; i < 3; ++i) scatter(gradient.col(i), corners.at(batch.place + i * Lanes::count));
     });
+}
+
+double FaceBatches::energy(const PaddedPositions& x) const {
+    double sum = 0;
+    wide_loop(0, static_cast<Index>(batches.size()), [&](Index number) {
+        const Strained of = batches[number].at(x);
+        const Lanes energies = 0.5 * of.strain.dot(of.stress);
+        for (int lane = 0; lane < present_in(number, order.count(0)); ++lane) sum += energies[lane];
+    });
+    return sum;
 }
 
 CoupledBatches::Rows CoupledBatches::Rows::transposed(Index columns) const {
@@ -247,6 +261,12 @@ void CoupledBatches::find(const PaddedPositions& x, int level, const Threads& th
                          [&](Index begin, Index end) { find_moments(begin, end); });
     for (Index m = 0; m < mirrors; ++m)
         of_mirrors[m] = 0.5 * of_tangents[2 * (of_hinges + m)] + moment(of_hinges + m);
+}
+
+double CoupledBatches::energy() const {
+    const auto count = static_cast<Eigen::Index>(tangents.size());
+    return 0.5 * Eigen::Map<const VectorXd>(tangents.data(), count)
+                     .dot(Eigen::Map<const VectorXd>(of_tangents.data(), count));
 }
 
 void CoupledBatches::find_changes(Index begin, Index end, const PaddedPositions& x) {

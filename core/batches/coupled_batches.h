@@ -32,8 +32,15 @@ class FaceBatches {
     /// bending: derivatives of a bending energy, whose gradient is added; null: none.
     void find(Index begin, Index end, const PaddedPositions& x, const SideMoments* bending,
               CornerSums& corners) const;
+    double energy(const PaddedPositions& x) const;  ///< J, of the membrane
 
   private:
+    /// Deformation of four faces.
+    struct Strained {
+        LanesVector one, other;  ///< m, from the first corner to the second and to the third
+        Eigen::Matrix<Lanes, 3, 2> F;
+        LanesVector strain, stress;  ///< stress times area, J
+    };
     struct alignas(sizeof(Lanes)) Batch {
         std::array<std::array<Lanes, 2>, 2>
             derivatives;  ///< 1/m, MembraneTriangle::derivatives of the second and the third corner
@@ -41,6 +48,8 @@ class FaceBatches {
         std::array<LaneIndices, 3> vertices;
         std::array<LaneIndices, 3> sides;  ///< indices in SideMoments::per_length
         Index place;                       ///< number in CornerSums of the first corner's place
+
+        Strained at(const PaddedPositions& x) const;
     };
     LevelOrder order;
     std::vector<Batch> batches;
@@ -60,6 +69,8 @@ class CoupledBatches {
     /// Derivatives of the energy by the angles of hinges at the sides of faces, as the last find() has
     /// computed them.
     const SideMoments& moments() const { return at_sides; }
+    /// The energy, J, at the positions of a find() of all levels.
+    double energy() const;
     /// Level of the derivative by a mirror's angle.
     Level level_of_mirror(Index mirror) const { return at_sides.levels[of_hinges + mirror]; }
 

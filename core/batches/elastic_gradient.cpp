@@ -99,10 +99,12 @@ void ElasticGradient::find(const Positions& x) {
         });
     });
     if (!others.empty() || !mirrors.empty()) unpadded = x;
+    moved = false;
     find_again(0);
 }
 
 void ElasticGradient::move(Index vertex, const Vector3d& to) {
+    moved = true;
     positions[vertex].coordinates = Lanes::Vector{to[0], to[1], to[2], 0};
     if (unpadded.cols() > 0) unpadded.col(vertex) = to;
 }
@@ -144,6 +146,11 @@ void ElasticGradient::put_forces_again(int level, Positions& forces) const {
     corners.put_negative(affected(level), forces.data());
     if (!others.empty() || !mirrors.empty())
         for (const Index v : affected(level)) forces.col(v) -= unbatched.col(v);
+}
+
+std::optional<ElasticGradient::Energies> ElasticGradient::energies() const {
+    if (!built || moved || coupled == nullptr || !others.empty()) return std::nullopt;
+    return Energies{bends.energy(), faces.energy(positions)};
 }
 
 Positions ElasticGradient::at(const Positions& x) {

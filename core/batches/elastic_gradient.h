@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -78,6 +79,13 @@ class ElasticGradient {
     void put_forces_again(int level, Positions& forces) const;
     /// Writes the forces of the last find(), N, [3, V], to `forces`.
     void put_forces(Positions& forces) const;
+    /// Energies at the positions of the last find(), J.
+    struct Energies {
+        double bending, membrane;
+    };
+    /// Returns the energies if no vertex has been moved since the last find(), and if the hinges are coupled
+    /// and all energies in batches; else nothing.
+    std::optional<Energies> energies() const;
     /// The gradient at x, N, [3, V].
     Positions at(const Positions& x);
 
@@ -93,6 +101,7 @@ class ElasticGradient {
     std::vector<const Energy*> others;               ///< energies that are not in batches
 
     bool built = false;
+    bool moved = false;         ///< whether a vertex has been moved since the last find()
     std::vector<Level> levels;  ///< levels of the vertices; empty: all are 0
     LevelOrder vertices;        ///< by the levels of their gradients
     PaddedPositions positions;

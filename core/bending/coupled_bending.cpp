@@ -24,14 +24,14 @@ void CoupledBending::invalidate_reach() {
 }
 
 void CoupledBending::invalidate_reach(const ShellChange& change, std::span<const Index> changed) {
-    if (change.remeshes()) return invalidate_reach();
     reach_is_valid = false;
+    if (reach.empty()) return;
+    reach.resize(shell.triangles.size());
     const auto invalidate = [&](std::size_t face) {
         reach[face].vertices.clear();
         reach[face].places.clear();
     };
-    if (!reach.empty())
-        for (const Index face : changed) invalidate(face);
+    for (const Index face : changed) invalidate(face);
     std::vector<char> was_split(shell.position.cols(), 0);
     for (const IndexWithParents& inserted : change.vertices)
         for (const auto& [vertex, weight] : inserted.parents) was_split[vertex] = 1;

@@ -308,7 +308,7 @@ int ExplicitStepper::make_step_again() {
 int ExplicitStepper::make_step() {
     made = true;
     for (int i = 0; i < substeps; ++i) make_substep(step.begin + step.length * i / substeps);
-    energies_now.reset();
+    update_energies();
     const VectorXd mass = free_mass(shell);
     work.balance.lost_to_scheme =
         inertia_work - kinetic_energy(mass, velocity) + kinetic_energy(mass, shell.velocity);
@@ -320,6 +320,12 @@ int ExplicitStepper::make_step() {
 PotentialEnergies ExplicitStepper::elastic_energies() const {
     if (!energies_now) energies_now = Stepper::elastic_energies();
     return *energies_now;
+}
+
+void ExplicitStepper::update_energies() {
+    energies_now.reset();
+    if (const auto found = elastic_gradient.energies())
+        energies_now = PotentialEnergies{found->bending, found->membrane, 0, stored_in_contact()};
 }
 
 void ExplicitStepper::make_substep(double from) {
@@ -472,10 +478,10 @@ void ExplicitStepper::topology_changed(const ShellChange& change) {
     contact.shell_changed(change);
     elastic_gradient.shell_changed();
     changed = true;
-    energies_now.reset();
     append(before, change.vertices);
     measure_vertices();
     update_forces();
+    update_energies();
     const double gone = ledger.topology_changed(stored(), moving(velocity, position), change.remeshes());
     if (!change.opening) return;
     opening.open(*change.opening, balancing_forces(before), position, gone);

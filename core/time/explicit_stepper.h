@@ -78,6 +78,8 @@ class ExplicitStepper : public Stepper {
     void discard() override;
     double stored_in_contact() const override { return contact.stored_energy(position); }
     PotentialEnergies elastic_energies() const override;
+    /// Sets `energies_now` after elastic forces have been found at `position`.
+    void update_energies();
     /// Calls range(begin, end) for ranges that together contain all vertices, in several threads.
     template <class Range>
     void share_vertices(const Range& range) const;

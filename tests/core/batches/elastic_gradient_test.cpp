@@ -56,6 +56,29 @@ TEST(ElasticGradient, IsThatOfTheEnergiesWithEachModel) {
             }
 }
 
+// The balance of energy takes the energies of the batches: they must be those of the forces.
+TEST(ElasticGradient, HasTheEnergiesOfTheModels) {
+    int known = 0;
+    Shell shell = curved_sheet();
+    for (ShellEnergyOptions options : all_models)
+        for (const bool mirrored : {false, true}) {
+            if (mirrored) options.mirrors = test::patch_mirrors(shell);
+            const ShellEnergies energies(shell, options);
+            ElasticGradient batches(shell, energies, options, Threads());
+            EXPECT_FALSE(batches.energies());
+            const Positions x = test::shaken(shell, 0.03, 5);
+            batches.find(x);
+            const auto found = batches.energies();
+            if (!found) continue;
+            ++known;
+            EXPECT_NEAR(found->bending / energies.bending_value(x), 1, 1e-12);
+            EXPECT_NEAR(found->membrane / energies.membrane_value(x), 1, 1e-12);
+            batches.move(3, x.col(3));
+            EXPECT_FALSE(batches.energies());
+        }
+    EXPECT_EQ(known, 2) << "coupled hinges, with and without mirrors";
+}
+
 // Local steps compute forces again near a few vertices. An element that was left out would keep its old
 // force.
 TEST(ElasticGradient, IsFoundAgainWhereVerticesHaveMoved) {

@@ -8,6 +8,7 @@
 #include "core/bending/coupled_bending.h"
 #include "core/membrane/side_curvature.h"
 #include "tests/support/shell/advanced_sheet.h"
+#include "tests/support/shell/uneven_patch.h"
 
 namespace sherd {
 namespace {
@@ -115,6 +116,34 @@ RC_GTEST_PROP(AdvancedCurvature, IsThatOfTheShellAsItIs, ()) {
         if (const auto change = advances.fail(advanced->halfedge)) followed.follow(change->shell);
     }
     expect_same_sums(shell, followed);
+}
+
+// Energies keep the vertices on which each face depends, and update them near a change alone. A face that
+// kept other vertices would add its stiffness to theirs, and steps would not converge.
+RC_GTEST_PROP(AdvancedCurvature, GivesTheHessianOfTheShellAsItIs, ()) {
+    const unsigned shape = *rc::gen::inRange(0u, test::sheet_shapes), seed = *rc::gen::inRange(0u, 1u << 30);
+    BreakableShell sheet = drawn_or_rough(shape, seed);
+    const Shell& shell = sheet.mechanics();
+    CoupledBending followed(shell, clamped_rim(shell));
+    test::Advances advances(sheet, seed + 1);
+    const auto hessian = [&](const CoupledBending& bending) {
+        return test::hessian_of(bending, shell.rest, Curvature::exact);
+    };
+    hessian(followed);  // so that there is something to update
+    for (int i = 0; i < 6; ++i) {
+        const auto advanced = advances.next();
+        if (!advanced) continue;
+        followed.topology_changed(advanced->change.shell, {});
+        if (i % 2 == 1) hessian(followed);
+        if (!advances.random_bool()) continue;
+        if (const auto change = advances.fail(advanced->halfedge))
+            followed.topology_changed(change->shell, {});
+    }
+    const Mirrors& mirrors = followed.all_folds().all_mirrors();
+    std::vector<MirrorHinge> now;
+    for (std::size_t i = 0; i < mirrors.size(); ++i) now.push_back(mirrors[i]);
+    const Eigen::MatrixXd expected = hessian(CoupledBending(shell, now));
+    RC_ASSERT((hessian(followed) - expected).norm() <= 1e-12 * expected.norm());
 }
 
 // follow() must return exactly the faces whose terms it computed again.
