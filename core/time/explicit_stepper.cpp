@@ -290,6 +290,7 @@ int ExplicitStepper::make_open_step() {
         opening = opening_then;
         made_substeps += make_step_again();
     }
+    update_energies();  // after end(), which may have changed springs of contact
     ledger.solved(stored());
     return made_substeps;
 }
@@ -308,7 +309,7 @@ int ExplicitStepper::make_step_again() {
 int ExplicitStepper::make_step() {
     made = true;
     for (int i = 0; i < substeps; ++i) make_substep(step.begin + step.length * i / substeps);
-    update_energies();
+    energies_now.reset();
     const VectorXd mass = free_mass(shell);
     work.balance.lost_to_scheme =
         inertia_work - kinetic_energy(mass, velocity) + kinetic_energy(mass, shell.velocity);

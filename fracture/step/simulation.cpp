@@ -116,7 +116,7 @@ StepReport Simulation::step() try {
             const bool staged = options.rule == BreakingRule::staged && !ends_at_crack;
             if (attempt && staged) attempt = break_in_stages(now, report);  // breaks, solves again
             if (attempt && !staged) break_at_once(now, report);
-            if (attempt && policy.is_explicit() && report.stages == 0)
+            if (attempt && policy.chooses_explicit_length() && report.stages == 0)
                 time_left = breaker.time_left(now.hinges, time() + policy.size());
         }
         if (attempt) break;

@@ -31,8 +31,9 @@ struct SimulationOptions {
     BreakingRule rule = BreakingRule::staged;
     int max_stages = 100;  ///< limit on the stages of staged breaking in one step
     /// Whether implicit and explicit steps alternate (StepPolicy), beginning with implicit ones. Explicit
-    /// steps have the length stepper.step, halved until it is at most `explicit_step`. If an explicit step
-    /// fails (Outcome::failed), it and some steps after it are made with the implicit scheme.
+    /// steps have the length stepper.step, halved until it is at most `explicit_step`, and up to 16 times
+    /// this length while no edge will fail soon (Breaker::time_left()). If an explicit step fails
+    /// (Outcome::failed), it and some steps after it are made with the implicit scheme.
     bool alternates = false;
     double explicit_step = 2e-6;  ///< s, see `alternates`
     /// Whether the run ends with the first hinges that fail. The step is halved as often as possible to find

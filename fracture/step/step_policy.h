@@ -38,6 +38,9 @@ class StepPolicy {
     bool is_explicit() const { return scheme == Scheme::explicit_differences; }
     SchemeChoice choice() const { return {scheme, alternates && !is_explicit_fallback}; }
 
+    /// Whether finish_step() chooses the length of the next explicit step by StepActivity::time_left.
+    bool chooses_explicit_length() const { return alternates && is_explicit(); }
+
     /// Must be called before the first attempt at a step.
     void begin_step() { is_fallback_tried = false; }
     /// Returns the reason for another attempt after `result`; Urgency::none if its outcome is `done`.

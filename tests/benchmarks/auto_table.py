@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """auto_table [--short] [--seeds N] [--threads N] SHERD [OLD_SHERD]: processor time of scenes that break by toughness,
-with `scheme = "auto"`, for N seeds (3), by one program or by two in turns. Prints for each scene the mean over seeds of
-seconds (and of the old program over the new one), of the milliseconds in explicit steps, of the substeps times parts in
-each of these, and the least and the largest number of pieces over 1 % of the area. --short: the first millisecond of one seed."""
+two with `scheme = "auto"` and one with `"explicit"`, for N seeds (3), by one program or by two in turns. Prints for each
+scene the mean over seeds of seconds (and of the old program over the new one), of the milliseconds in explicit steps,
+of the substeps times parts in each of these, and the least and the largest number of pieces over 1 % of the area.
+--short: the first millisecond of one seed."""
 import argparse
 import pathlib
 import resource

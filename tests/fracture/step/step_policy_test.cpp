@@ -103,8 +103,8 @@ double next_length(StepPolicy& policy, double time_left) {
 }
 
 // Most of the explicit time of a broken plate nothing can fail: steps as short as a crack needs them would
-// multiply its cost. Steps must be short again at once when something may fail, and must not miss the ends
-// of whole steps.
+// multiply its cost. Steps must be short again at once when something may fail, and must meet the ends of
+// whole steps.
 TEST(StepPolicy, MakesLongerExplicitStepsWhileNothingWillFail) {
     StepPolicy policy(policy_options(true), 0);
     policy.begin_step();

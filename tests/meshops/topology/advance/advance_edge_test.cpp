@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cmath>
 #include <iostream>
 #include <numbers>
 
@@ -212,6 +213,39 @@ TEST(AdvanceEdge, PrintsHowPathsAreMade) {
             for (const int way : {1, 2, 3, 0}) std::cout << " | " << ways[way];
             std::cout << " | " << std::round(10 * smallest) / 10 << " |\n";
         }
+}
+
+// Explicit steps are as short as the narrowest triangle needs them: cracks must get the angles that they want
+// where the mesh allows it, and no fewer edges on their paths for that.
+TEST(AdvanceEdge, ImprovesAnglesUpToTheWantedOne) {
+    const double wanted = 28 * std::numbers::pi / 180;
+    AdvanceOptions plain, wide;
+    wide.snap_angle = wide.wanted_angle = 28;
+    struct Count {
+        int made = 0, kept = 0;
+    };
+    Count of_plain, of_wide;
+    const Mesh sheet = drawn_sheet(0, 4);
+    Random random(7);
+    for (int i = 0; i < 300; ++i) {
+        const Vertex tip(static_cast<unsigned>(i % static_cast<int>(sheet.number_of_vertices())));
+        const double angle = random.uniform(0, 2 * std::numbers::pi);
+        for (const bool is_wide : {false, true}) {
+            Mesh copy = sheet;
+            Count& count = is_wide ? of_wide : of_plain;
+            const auto edge =
+                advance_edge(copy, tip, {std::cos(angle), std::sin(angle), 0}, is_wide ? wide : plain);
+            if (!edge || edge->way == Way::existing) continue;
+            ++count.made;
+            count.kept += edge->smallest_angle >= wanted;
+        }
+    }
+    EXPECT_GT(of_plain.made, 100);
+    EXPECT_GE(of_wide.made, of_plain.made) << "no edge must be off its path for better angles";
+    EXPECT_LE(of_wide.made - of_wide.kept, (of_plain.made - of_plain.kept) / 2) << "narrow ones";
+    EXPECT_GT(of_plain.made, of_plain.kept) << "else there is nothing to improve";
+    std::cout << of_plain.made - of_plain.kept << " of " << of_plain.made << " edges leave narrow triangles, "
+              << of_wide.made - of_wide.kept << " if these are to be improved\n";
 }
 
 }  // namespace
